@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstddef>
+#include <mutex>
+#include <string>
+
+namespace fgmesh {
+
+/// What a caller holds while a run goes on in another thread: a way to stop it and a view of how
+/// far it is. Every member may be called from any thread. The run polls; it never calls back.
+class RunControl {
+ public:
+  struct Progress {
+    std::string stage;      ///< "reading", "initial", "material", "geometry", "" before the start
+    double fraction = 0.0;  ///< of this stage, in [0, 1]
+    std::size_t tets = 0;   ///< tetrahedra in the mesh at this moment
+  };
+
+  /// Limits of 0 mean none. Seconds count from the construction of this object, or from the last
+  /// call of this function.
+  void set_limits(double seconds, double memory_mb);
+
+  void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
+  bool cancelled() const noexcept { return cancelled_.load(std::memory_order_relaxed); }
+
+  Progress progress() const;
+
+  // --- for the stages -----------------------------------------------------------------------
+
+  void begin_stage(const std::string& name);
+  void report(double fraction, std::size_t tets);
+
+  /// Throws Cancelled where the run is to stop. Cheap enough for every few hundred tetrahedra.
+  void check();
+
+  /// True where check() would throw; for code that must unwind by itself.
+  bool should_stop();
+
+  /// CGAL's refinement watches a flag of this kind. It is set by cancel().
+  std::atomic<bool>& stop_flag() noexcept { return cancelled_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  std::atomic<bool> cancelled_{false};
+  std::atomic<double> fraction_{0.0};
+  std::atomic<std::size_t> tets_{0};
+  mutable std::mutex stage_mutex_;
+  std::string stage_;
+  Clock::time_point start_ = Clock::now();
+  double limit_seconds_ = 0.0;
+  double limit_memory_mb_ = 0.0;
+  std::atomic<unsigned> polls_{0};
+  std::string reason_ = "the run was cancelled";
+};
+
+/// Largest resident memory of this process so far, MB (ru_maxrss).
+double peak_memory_mb();
+
+}  // namespace fgmesh
