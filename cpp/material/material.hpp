@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/scalar_field.hpp"
+
+namespace fgmesh {
+
+/// Where a material's coordinates are measured: columns of `rotation` are the frame's axes.
+struct Frame {
+  Vec3 origin = Vec3::Zero();
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+};
+
+/// A functionally graded material of two constituents: the volume fraction of the first is a formula over
+/// x y z r theta d and named parameters, the second is the remainder (paper, equation 2.1).
+/// Immutable, so safe to share between threads.
+class Material final : public ScalarField {
+ public:
+  /// Throws FormulaError for a text that is no formula, InvalidInput for parameters with forbidden names.
+  Material(const std::vector<std::string>& fractions, const std::map<std::string, double>& parameters = {},
+           const Frame& frame = {});
+
+  void evaluate(const Vec3* points, std::size_t count, double* values) const override;
+  void evaluate(const Vec3* points, std::size_t count, double* values, Vec3* gradients) const override;
+  void bounds(const Box& box, double& low, double& high) const override;
+
+  const std::vector<std::string>& fractions() const;
+  const std::map<std::string, double>& parameters() const;
+  const Frame& frame() const;
+
+  Material(Material&&) noexcept;
+  ~Material() override;
+
+ private:
+  struct State;
+  std::unique_ptr<const State> state_;
+};
+
+}  // namespace fgmesh

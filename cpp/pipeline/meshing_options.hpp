@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace fgmesh {
+
+/// All that a user may choose about a mesh. The defaults stand here and nowhere else: bindings,
+/// command line and FreeCAD properties read them from here.
+struct MeshingOptions {
+  /// delta_0: the largest difference of composition allowed inside one tetrahedron, in (0, 1].
+  double material_threshold = 0.1;
+  /// Largest distance of a boundary facet's centre (or of the middle of a mesh edge that follows a
+  /// B-Rep edge) to the true boundary, mm; 0: the diagonal of the part / 2000.
+  double surface_deviation = 0.0;
+  /// No refinement makes edges shorter than this, mm; 0: the diagonal of the part / 2000.
+  double min_size = 0.0;
+  /// Edges much longer than this are split, mm; 0: the diagonal of the part / 8.
+  double max_size = 0.0;
+  /// Largest stretch of an element across the gradient; 1: isotropic.
+  double anisotropy = 1.0;
+  /// 1: four-node tetrahedra; 2: ten-node tetrahedra.
+  int order = 1;
+  /// "initial", "material" or "geometry": the last stage to run.
+  std::string stop_after = "geometry";
+  /// 0: all processors.
+  int threads = 0;
+  std::uint32_t seed = 0;
+
+  /// Throws InvalidInput that names the option and its allowed range.
+  void validate() const;
+};
+
+}  // namespace fgmesh
