@@ -11,29 +11,42 @@
 namespace fgmesh {
 
 struct SamplingOptions {
-  /// Largest distance of a sample triangle to its face, mm; 0: the diagonal of the part / 2000.
+  /// Distance of a sample triangle to its face that is aimed at, mm; 0: the diagonal of the part / 2000.
+  /// OpenCASCADE keeps it on edges and exceeds it up to twofold on balls, fourfold on tori.
   double deflection = 0.0;
   /// Largest angle between neighbouring sample triangles of a face, radians.
   double angle = 0.2;
 };
 
-/// A checked OpenCASCADE shape behind an interface that shows no OCCT: one or more valid, closed solids, numbered
-/// as FreeCAD numbers them (TopExp::MapShapes order of the whole shape).
+/// A checked OpenCASCADE shape behind an interface that shows no OCCT: one or more valid, closed solids,
+/// numbered as FreeCAD numbers them (TopExp::MapShapes order of the whole shape).
 class BrepModel final : public BoundaryGeometry {
  public:
   /// Reads the text of a BREP or STEP file (told apart by its first bytes) and checks it.
-  /// Throws InvalidInput where the text is neither, is empty or cut short; GeometryError where the shape holds no
-  /// solid, an open shell, a solid without volume or an invalid sub-shape, naming it.
+  /// Throws InvalidInput where the text is neither, is empty or cut short; GeometryError where the shape
+  /// holds no solid, an open shell, a solid without volume or an invalid sub-shape, naming it.
   static BrepModel from_text(const std::string& text, RunControl& control);
 
-  /// Samples the boundary finely. `options` must stay coarser than nothing: the finer, the closer the first
-  /// guess of project_to_face().
+  /// Samples the boundary finely, and prepares the projections: it must come before the first of these. A
+  /// finer deflection than asked is taken where the faces need it (walls thinner than the deflection). Throws
+  /// GeometryError that names a face which cannot be triangulated; Cancelled.
   SampledBoundary sample(const SamplingOptions& options, RunControl& control);
 
+  // A number that bounds no solid, or a projection before sample(), is a std::out_of_range.
   SurfacePoint project_to_face(int face, const Vec3& p, const double* guess_uv = nullptr) const override;
   CurvePoint project_to_edge(int edge, const Vec3& p, const double* guess_t = nullptr) const override;
   Vec3 vertex_position(int vertex) const override;
   bool contains(const Vec3& p) const override;
+
+  int solid_count() const;
+  int face_count() const;    ///< highest FaceN
+  int edge_count() const;    ///< highest EdgeN
+  int vertex_count() const;  ///< highest VertexN
+  double volume() const;     ///< of all solids, from their true faces, mm^3
+  Box bounds() const;        ///< tight around the true faces
+
+  /// What was put right or left out while reading, in words for the user.
+  const std::vector<std::string>& notes() const;
 
   BrepModel(BrepModel&&) noexcept;
   ~BrepModel() override;

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <pybind11/eigen.h>
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bindings/bindings.hpp"
+#include "core/error.hpp"
+#include "material/formula_error.hpp"
+#include "material/material.hpp"
+
+namespace py = pybind11;
+
+namespace fgmesh::bindings {
+namespace {
+
+static_assert(sizeof(Vec3) == 3 * sizeof(double), "rows of NumPy arrays are read as points in place");
+
+using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+struct Points {
+  const Vec3* data;
+  std::size_t count;
+};
+
+Points as_points(const Array& array) {
+  if (array.ndim() != 2 || array.shape(1) != 3) throw InvalidInput("points must be an array of shape (n, 3)");
+  return {reinterpret_cast<const Vec3*>(array.data()), static_cast<std::size_t>(array.shape(0))};
+}
+
+Array evaluate(const Material& material, const Array& array) {
+  const Points points = as_points(array);
+  Array values(array.shape(0));
+  double* const out = values.mutable_data();
+  const py::gil_scoped_release released;
+  material.evaluate(points.data, points.count, out);
+  return values;
+}
+
+Array gradient(const Material& material, const Array& array) {
+  const Points points = as_points(array);
+  Array gradients({array.shape(0), py::ssize_t{3}});
+  Vec3* const out = reinterpret_cast<Vec3*>(gradients.mutable_data());
+  const py::gil_scoped_release released;
+  std::vector<double> values(points.count);
+  material.evaluate(points.data, points.count, values.data(), out);
+  return gradients;
+}
+
+std::pair<double, double> bounds(const Material& material, const Vec3& low, const Vec3& high) {
+  if (!(low.array() <= high.array()).all()) {
+    throw InvalidInput("a box needs low <= high in each of its three coordinates");
+  }
+  std::pair<double, double> result;
+  material.bounds({low, high}, result.first, result.second);
+  return result;
+}
+
+constexpr char kMaterialDoc[] =
+    R"(Material(fractions, parameters={}, origin=(0, 0, 0), rotation=identity)
+
+A graded material of two constituents. fractions: a list of one formula, the volume fraction of the first
+constituent over x y z r theta d, pi, e and the parameters. parameters: dict of name to number. origin (mm) and
+rotation (3x3, columns are the axes) place the frame that the formula measures in. Immutable.
+Raises FormulaError where the text is no formula, InvalidInput for a parameter or frame that has no meaning.)";
+
+}  // namespace
+
+void bind_material(py::module_& module) {
+  py::class_<Material>(module, "Material", kMaterialDoc)
+      .def(py::init([](const std::vector<std::string>& fractions,
+                       const std::map<std::string, double>& parameters, const Vec3& origin,
+                       const Eigen::Matrix3d& rotation) {
+             return std::make_unique<Material>(fractions, parameters, Frame{origin, rotation});
+           }),
+           py::arg("fractions"), py::arg("parameters") = std::map<std::string, double>(),
+           py::arg("origin") = Frame().origin, py::arg("rotation") = Frame().rotation)
+      .def_property_readonly("fractions", &Material::fractions)
+      .def_property_readonly("parameters", &Material::parameters)
+      .def_property_readonly("origin", [](const Material& material) { return Vec3(material.frame().origin); })
+      .def_property_readonly(
+          "rotation", [](const Material& material) { return Eigen::Matrix3d(material.frame().rotation); })
+      .def("evaluate", &evaluate, py::arg("points"),
+           "Volume fraction (n,) at points (n, 3) in mm; NaN where the formula is not defined.")
+      .def("gradient", &gradient, py::arg("points"),
+           "Gradient (n, 3) in 1/mm at points (n, 3), along the world's axes. NaN only where the value is; "
+           "zero where "
+           "the direction is not unique (d at the origin); infinite where it is unbounded.")
+      .def("bounds", &bounds, py::arg("low"), py::arg("high"), py::call_guard<py::gil_scoped_release>(),
+           "Certain bounds (low, high) of the fraction over the box between two corners; NaN where it is "
+           "defined "
+           "nowhere.")
+      .def("__repr__", [](const Material& material) {
+        return py::str("Material({!r}, parameters={!r})")
+            .format(py::cast(material.fractions()), py::cast(material.parameters()));
+      });
+
+  module.def(
+      "caret_excerpt",
+      [](const std::string& formula, std::size_t position) { return caret_excerpt(formula, position); },
+      py::arg("formula"), py::arg("position"),
+      "Two lines for a terminal: the formula around `position` (of a FormulaError), and a caret under it.");
+}
+
+}  // namespace fgmesh::bindings

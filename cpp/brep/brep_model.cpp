@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "brep/brep_model.hpp"
+
+#include <BRepClass3d_SolidClassifier.hxx>
+#include <BRep_Tool.hxx>
+#include <algorithm>
+#include <list>
+#include <mutex>
+#include <optional>
+#include <stdexcept>
+
+#include "brep/edge_projector.hpp"
+#include "brep/face_projector.hpp"
+#include "brep/occt.hpp"
+#include "brep/sampling.hpp"
+#include "brep/shape_check.hpp"
+#include "brep/shape_reader.hpp"
+
+namespace fgmesh {
+
+struct BrepModel::State {
+  brep::CheckedShape shape;
+  std::vector<std::optional<brep::EdgeProjector>> edges;  // of EdgeN at n - 1
+  std::vector<std::optional<brep::FaceProjector>> faces;  // of FaceN at n - 1
+
+  // A classifier remembers its last ray, so only one thread may ask.
+  mutable std::mutex classifier_mutex;
+  mutable std::list<BRepClass3d_SolidClassifier> classifiers;  // they cannot be moved
+
+  explicit State(brep::CheckedShape checked) : shape(std::move(checked)) {}
+
+  void prepare_projections(const brep::Sampling& sampling, RunControl& control) {
+    const brep::Topology& topology = shape.topology;
+    faces.clear();
+    edges.clear();
+    edges.resize(topology.edge_count());
+    faces.resize(topology.face_count());
+    for (int edge = 1; edge <= topology.edge_count(); ++edge) {
+      const std::vector<double>& parameters = sampling.edge_parameters[edge - 1];
+      if (!parameters.empty()) edges[edge - 1].emplace(topology.edge(edge), parameters);
+    }
+    for (int face = 1; face <= topology.face_count(); ++face) {
+      control.check();
+      const brep::FaceSamples& samples = sampling.faces[face - 1];
+      if (!samples.points.empty()) faces[face - 1].emplace(topology, face, samples, edges);
+    }
+  }
+
+  template <class Projector>
+  static const Projector& at(const std::vector<std::optional<Projector>>& projectors, int number,
+                             const char* kind) {
+    if (number < 1 || number > static_cast<int>(projectors.size()) || !projectors[number - 1]) {
+      throw std::out_of_range(kind + std::to_string(number) + " bounds no solid, or sample() was not called");
+    }
+    return *projectors[number - 1];
+  }
+};
+
+BrepModel::BrepModel(std::unique_ptr<State> state) : state_(std::move(state)) {}
+BrepModel::BrepModel(BrepModel&&) noexcept = default;
+BrepModel::~BrepModel() = default;
+
+BrepModel BrepModel::from_text(const std::string& text, RunControl& control) {
+  const TopoDS_Shape shape = brep::read_shape(text, control);
+  return BrepModel(std::make_unique<State>(brep::check_shape(shape, control)));
+}
+
+SampledBoundary BrepModel::sample(const SamplingOptions& options, RunControl& control) {
+  brep::Sampling sampling = brep::sample_boundary(state_->shape, options, control);
+  brep::guarded("preparing projections", [&] { state_->prepare_projections(sampling, control); });
+  return std::move(sampling.boundary);
+}
+
+SurfacePoint BrepModel::project_to_face(int face, const Vec3& p, const double* guess_uv) const {
+  const auto& projector = State::at(state_->faces, face, "Face");
+  return brep::guarded("projecting to a face", [&] { return projector.project(p, guess_uv); });
+}
+
+CurvePoint BrepModel::project_to_edge(int edge, const Vec3& p, const double* guess_t) const {
+  const auto& projector = State::at(state_->edges, edge, "Edge");
+  return brep::guarded("projecting to an edge", [&] { return projector.project(p, guess_t); });
+}
+
+Vec3 BrepModel::vertex_position(int vertex) const {
+  if (vertex < 1 || vertex > vertex_count()) {
+    throw std::out_of_range("Vertex" + std::to_string(vertex) + " is not in the shape");
+  }
+  return brep::to_vec3(BRep_Tool::Pnt(state_->shape.topology.vertex(vertex)));
+}
+
+bool BrepModel::contains(const Vec3& p) const {
+  // A sloppy file's tolerance must not make points well outside count as inside.
+  const double tolerance = std::min(state_->shape.tolerance, 1e-4 * bounds().diagonal());
+  const std::lock_guard<std::mutex> lock(state_->classifier_mutex);
+  return brep::guarded("locating a point", [&] {
+    auto& classifiers = state_->classifiers;
+    if (classifiers.empty()) {
+      for (int solid = 1; solid <= solid_count(); ++solid) {
+        classifiers.emplace_back(state_->shape.topology.solid(solid));
+      }
+    }
+    return std::any_of(classifiers.begin(), classifiers.end(), [&](BRepClass3d_SolidClassifier& classifier) {
+      classifier.Perform(brep::to_gp(p), tolerance);
+      return classifier.State() == TopAbs_IN || classifier.State() == TopAbs_ON;
+    });
+  });
+}
+
+int BrepModel::solid_count() const { return state_->shape.topology.solid_count(); }
+int BrepModel::face_count() const { return state_->shape.topology.face_count(); }
+int BrepModel::edge_count() const { return state_->shape.topology.edge_count(); }
+int BrepModel::vertex_count() const { return state_->shape.topology.vertex_count(); }
+double BrepModel::volume() const { return state_->shape.volume(); }
+Box BrepModel::bounds() const { return state_->shape.bounds; }
+const std::vector<std::string>& BrepModel::notes() const { return state_->shape.notes; }
+
+}  // namespace fgmesh

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Geom_Curve.hxx>
+#include <TopoDS_Edge.hxx>
+#include <gp_Circ.hxx>
+#include <gp_Lin.hxx>
+#include <variant>
+#include <vector>
+
+#include "brep/nearest_point.hpp"
+#include "core/boundary_geometry.hpp"
+
+namespace fgmesh::brep {
+
+/// Closest points on the curve of one edge. Immutable, so safe to share between threads: it evaluates the
+/// Geom_Curve itself, not an adaptor, whose cache is not.
+class EdgeProjector {
+ public:
+  /// `parameters` are those of the edge's samples, ascending from its first to its last end.
+  EdgeProjector(const TopoDS_Edge& edge, std::vector<double> parameters);
+
+  CurvePoint project(const Vec3& p, const double* guess_t = nullptr) const;
+
+ private:
+  struct Bracket {
+    double low, high;
+  };
+
+  double start_parameter(const Vec3& p, Bracket& bracket) const;
+  bool newton(const Vec3& p, const Bracket& bracket, double& t) const;
+  double within_range(double t) const;
+  CurvePoint at(double t) const;
+
+  double first_ = 0.0, last_ = 0.0;  // before curve_, whose making sets them
+  Handle(Geom_Curve) curve_;
+  std::variant<std::monostate, gp_Lin, gp_Circ> closed_form_;
+  bool closed_ = false;
+  double length_ = 0.0;  ///< of the polygon of samples
+  std::vector<double> parameters_;
+  NearestPoint nearest_;
+};
+
+}  // namespace fgmesh::brep

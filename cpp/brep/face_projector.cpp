@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "brep/face_projector.hpp"
+
+#include <BRepClass_FaceClassifier.hxx>
+#include <BRep_Tool.hxx>
+#include <Precision.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <limits>
+
+#include "brep/occt.hpp"
+
+namespace fgmesh::brep {
+
+FaceProjector::FaceProjector(const Topology& topology, int face, const FaceSamples& samples,
+                             const std::vector<std::optional<EdgeProjector>>& edges)
+    : face_(topology.face(face)),
+      reversed_(topology.face_use(face).reversed),
+      domain_(samples),
+      surface_(face_, domain_.low(), domain_.high()) {
+  if (!surface_.has_closed_form()) {
+    sample_uv_ = samples.uv;
+    nearest_ = NearestPoint(samples.points);
+  }
+  for (TopExp_Explorer it(face_, TopAbs_EDGE); it.More(); it.Next()) {
+    const TopoDS_Edge edge = TopoDS::Edge(it.Current());
+    const int number = topology.edge_number(edge);
+    const EdgeUse& use = topology.edge_use(number);
+    if (use.count == 0 || use.seam) continue;
+    Border border{use.degenerate ? nullptr : &*edges[number - 1], {}, 0.0, 0.0};
+    border.curve = BRep_Tool::CurveOnSurface(edge, face_, border.first, border.last);
+    if (!border.curve.IsNull()) borders_.push_back(border);
+  }
+}
+
+SurfacePoint FaceProjector::project(const Vec3& p, const double* guess_uv) const {
+  Uv uv = closest_on_surface(p, guess_uv);
+  if (!covers(uv) && !borders_.empty()) uv = closest_on_border(p);
+  SurfacePoint found;
+  found.position = surface_.position(uv, found.normal);
+  if (reversed_) found.normal = -found.normal;
+  found.u = uv[0];
+  found.v = uv[1];
+  return found;
+}
+
+Uv FaceProjector::closest_on_surface(const Vec3& p, const double* guess_uv) const {
+  if (surface_.has_closed_form()) return surface_.closest_by_form(p);
+  if (guess_uv) {
+    Uv uv{guess_uv[0], guess_uv[1]};
+    if (surface_.closest_from(p, uv)) return uv;
+  }
+  Uv uv = sample_uv_[nearest_(p)];
+  if (!surface_.closest_from(p, uv)) surface_.closest_by_search(p, uv);
+  return uv;
+}
+
+bool FaceProjector::covers(const Uv& uv) const {
+  const FaceDomain::Place place = domain_.locate(uv);
+  if (place != FaceDomain::Place::border) return place == FaceDomain::Place::inside;
+  const BRepClass_FaceClassifier classifier(face_, gp_Pnt2d(uv[0], uv[1]), Precision::PConfusion());
+  return classifier.State() != TopAbs_OUT;
+}
+
+Uv FaceProjector::closest_on_border(const Vec3& p) const {
+  Uv closest{};
+  double closest_distance = std::numeric_limits<double>::infinity();
+  for (const Border& border : borders_) {
+    const double t = border.edge ? border.edge->project(p).t : border.first;
+    const gp_Pnt2d uv = border.curve->Value(t);
+    const double distance = (surface_.position({uv.X(), uv.Y()}) - p).norm();
+    if (distance >= closest_distance) continue;
+    closest_distance = distance;
+    closest = {uv.X(), uv.Y()};
+  }
+  return closest;
+}
+
+}  // namespace fgmesh::brep

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "brep/topology.hpp"
+
+namespace fgmesh::brep {
+
+/// True for an edge that mesh edges must follow: any that bounds solids but degenerate ones and seams, and
+/// those seams too across which the face is not smooth (a closed profile with a kink, extruded).
+bool is_crease(const Topology& topology, int edge);
+
+/// True where a degenerate edge is the tip of a cone and not the pole of a ball: the normals around it
+/// differ.
+bool is_apex(const Topology& topology, int edge);
+
+/// True where a closed edge passes its vertex without a kink.
+bool closes_smoothly(const TopoDS_Edge& edge);
+
+}  // namespace fgmesh::brep

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "material/formula_names.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+#include "material/formula_error.hpp"
+#include "material/formula_operation.hpp"
+
+namespace fgmesh {
+namespace {
+
+constexpr std::array<std::string_view, kVariableCount> kVariableNames = {"x", "y", "z", "r", "theta", "d"};
+
+struct NamedConstant {
+  std::string_view name;
+  double value;  // the double just below the true number
+};
+constexpr std::array<NamedConstant, 2> kConstants = {
+    {{"pi", 3.141592653589793116}, {"e", 2.718281828459045091}}};
+
+bool is_identifier(std::string_view name) {
+  return !name.empty() && is_letter(name[0]) &&
+         std::all_of(name.begin(), name.end(), [](char c) { return is_letter(c) || is_digit(c); });
+}
+
+bool is_reserved(std::string_view name) {
+  return find_variable(name) || find_constant(name) || find_function(name) || is_reference_name(name);
+}
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+/// Levenshtein's distance, blind to case.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (lower(a[i]) == lower(b[j]) ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+std::vector<std::string_view> known_names(const std::map<std::string, double>& parameters) {
+  std::vector<std::string_view> names;
+  for (const auto& parameter : parameters) names.push_back(parameter.first);
+  for (const Operation& function : formula_functions()) names.push_back(function.name);
+  names.insert(names.end(), kVariableNames.begin(), kVariableNames.end());
+  for (const NamedConstant& constant : kConstants) names.push_back(constant.name);
+  return names;
+}
+
+}  // namespace
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+std::optional<Variable> find_variable(std::string_view name) {
+  const auto found = std::find(kVariableNames.begin(), kVariableNames.end(), name);
+  if (found == kVariableNames.end()) return std::nullopt;
+  return static_cast<Variable>(found - kVariableNames.begin());
+}
+
+std::optional<Constant> find_constant(std::string_view name) {
+  for (const NamedConstant& constant : kConstants) {
+    if (constant.name != name) continue;
+    return Constant{
+        constant.value,
+        {constant.value, std::nextafter(constant.value, std::numeric_limits<double>::infinity())}};
+  }
+  return std::nullopt;
+}
+
+bool is_reference_name(std::string_view name) {
+  return name.size() >= 2 && (name[0] == 'd' || name[0] == 's' || name[0] == 't') && name[1] != '0' &&
+         std::all_of(name.begin() + 1, name.end(), is_digit);
+}
+
+void check_parameters(const std::map<std::string, double>& parameters) {
+  for (const auto& [name, value] : parameters) {
+    if (!is_identifier(name)) {
+      throw InvalidInput("parameter " + in_quotes(name) +
+                         " has no usable name: take letters a-z, digits and _, a letter first");
+    }
+    if (is_reserved(name)) {
+      throw InvalidInput("parameter " + in_quotes(name) +
+                         " bears a name that formulas use already: give it another one");
+    }
+    if (!std::isfinite(value))
+      throw InvalidInput("parameter " + in_quotes(name) + " must be a finite number");
+  }
+}
+
+std::string name_hint(std::string_view name, const std::map<std::string, double>& parameters) {
+  constexpr std::size_t kLongestCompared = 40;
+  std::string_view nearest;
+  // One slip in three letters may be a typing error; more is another word.
+  std::size_t smallest = std::max<std::size_t>(1, name.size() / 3) + 1;
+  for (const std::string_view known : known_names(parameters)) {
+    if (std::max(name.size(), known.size()) > kLongestCompared) continue;
+    const std::size_t distance = edit_distance(name, known);
+    if (distance < smallest && distance < name.size()) {
+      smallest = distance;
+      nearest = known;
+    }
+  }
+  if (!nearest.empty()) return "; did you mean " + in_quotes(nearest) + "?";
+  std::string hint = "; a formula knows x y z r theta d pi e, its functions";
+  if (parameters.empty()) return hint + " and the parameters you give (none here)";
+  hint += " and the parameters";
+  std::size_t listed = 0;
+  for (const auto& parameter : parameters) {
+    if (++listed > 10) return hint + " ...";
+    hint += " " + parameter.first;
+  }
+  return hint;
+}
+
+}  // namespace fgmesh

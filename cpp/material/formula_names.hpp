@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "material/interval.hpp"
+
+namespace fgmesh {
+
+/// What a formula may read at a point. Lengths in mm, the angle in radians, all in the material's frame.
+enum class Variable { kX, kY, kZ, kRadius, kAngle, kDistance };
+constexpr std::size_t kVariableCount = 6;
+
+bool is_letter(char c);
+bool is_digit(char c);
+
+std::optional<Variable> find_variable(std::string_view name);
+
+/// A number of the language and an interval that holds it exactly: pi is no double.
+struct Constant {
+  double value;
+  Interval bounds;
+};
+
+std::optional<Constant> find_constant(std::string_view name);
+
+/// "d1", "s2", "t1", ...: distances to references and tables.
+bool is_reference_name(std::string_view name);
+
+/// Throws InvalidInput, naming the parameter, for a name that is none or is taken, and for a value not
+/// finite.
+void check_parameters(const std::map<std::string, double>& parameters);
+
+/// " Did you mean 'alpha'?" where some known name is close to `name`; else a list of what there is.
+std::string name_hint(std::string_view name, const std::map<std::string, double>& parameters);
+
+}  // namespace fgmesh

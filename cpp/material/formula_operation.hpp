@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "material/interval.hpp"
+
+namespace fgmesh {
+
+/// What one node of a formula does, as loops over blocks of points: the interpreter pays its dispatch once a
+/// block.
+///
+/// A dual block is four rows of `stride` numbers: value and the three components of the gradient. Output
+/// never overlaps input.
+struct Operation {
+  std::string_view name;  ///< as a formula writes it
+  int arity;
+  bool variadic;  ///< a function of two that takes more, from left to right: min(a, b, c)
+
+  void (*values)(const double* const* in, double* out, std::size_t count);
+  void (*duals)(const double* const* in, double* out, std::size_t stride, std::size_t count);
+  Interval (*bounds)(const Interval* const* in);
+};
+
+/// All functions that a formula may call by name; null where there is none of this name.
+const Operation* find_function(std::string_view name);
+const std::vector<Operation>& formula_functions();
+
+/// The operation behind a binary operator: + - * / ^ < <= > >= == !=; null where there is none.
+const Operation* find_operator(std::string_view symbol);
+const Operation& negation();
+const Operation& squaring();
+/// condition, value where it is not zero, value where it is zero: `?:` and `if`. Only the branch taken
+/// matters.
+const Operation& selection();
+
+/// Partial derivatives with respect to each argument.
+template <std::size_t N>
+using Slopes = std::array<double, N>;
+
+namespace detail {
+
+/// A term of the chain rule. Zero beats infinity: exp(-sqrt(d)) is flat, not undefined, in whatever does not
+/// move, and a branch that is not taken has no say.
+inline double chain(double slope, double derivative) {
+  return slope == 0.0 || derivative == 0.0 ? 0.0 : slope * derivative;
+}
+
+template <class Op, std::size_t... I>
+struct Kernels {
+  static constexpr std::size_t kArity = sizeof...(I);
+
+  static void values(const double* const* in, double* __restrict out, std::size_t count) {
+    const double* const arguments[kArity] = {in[I]...};
+    for (std::size_t i = 0; i < count; ++i) out[i] = Op::value(arguments[I][i]...);
+  }
+
+  static void duals(const double* const* in, double* __restrict out, std::size_t stride, std::size_t count) {
+    const double* const arguments[kArity] = {in[I]...};
+    for (std::size_t i = 0; i < count; ++i) {
+      const double value = Op::value(arguments[I][i]...);
+      const Slopes<kArity> slopes = Op::slopes(arguments[I][i]..., value);
+      for (std::size_t row = stride; row <= 3 * stride; row += stride) {
+        const double sum = (chain(slopes[I], arguments[I][row + i]) + ...);
+        out[row + i] = sum == sum ? sum : 0.0;
+      }
+      out[i] = value;
+    }
+  }
+
+  static Interval bounds(const Interval* const* in) {
+    if constexpr (!Op::kPartial) {
+      if ((in[I]->is_empty() || ...)) return Interval::empty();
+    }
+    return Op::bounds(*in[I]...);
+  }
+};
+
+template <class Op, std::size_t... I>
+constexpr Operation make_operation(std::string_view name, bool variadic, std::index_sequence<I...>) {
+  using K = Kernels<Op, I...>;
+  return {name, static_cast<int>(sizeof...(I)), variadic, K::values, K::duals, K::bounds};
+}
+
+template <class... Doubles>
+constexpr std::size_t arity_of(double (*)(Doubles...)) {
+  return sizeof...(Doubles);
+}
+
+}  // namespace detail
+
+/// Base of the structs that describe an operation: static `value(a, ...)`, `slopes(a, ..., value)` and
+/// `bounds(a, ...)`. Derived structs with kPartial see empty intervals too.
+struct OperationTraits {
+  static constexpr bool kPartial = false;
+};
+
+template <class Op>
+constexpr Operation operation(std::string_view name, bool variadic = false) {
+  return detail::make_operation<Op>(name, variadic, std::make_index_sequence<detail::arity_of(&Op::value)>());
+}
+
+}  // namespace fgmesh

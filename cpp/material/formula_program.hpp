@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/vec3.hpp"
+#include "material/formula_names.hpp"
+#include "material/formula_operation.hpp"
+#include "material/interval.hpp"
+
+namespace fgmesh {
+
+/// Where a program finds its variables at a list of points.
+class PointInputs {
+ public:
+  virtual ~PointInputs() = default;
+
+  /// out[i] for the points first ... first + count - 1.
+  virtual void values(Variable variable, std::size_t first, std::size_t count, double* out) const = 0;
+
+  /// As values(), and the gradient's components at out[stride + i], out[2 stride + i] and out[3 stride + i].
+  virtual void duals(Variable variable, std::size_t first, std::size_t count, std::size_t stride,
+                     double* out) const = 0;
+};
+
+using BoxInputs = std::array<Interval, kVariableCount>;
+
+/// A formula made ready: a straight list of operations on registers, each of which holds a block of points.
+/// Immutable; evaluation needs no memory but the stack, so any number of threads may share one.
+class FormulaProgram {
+ public:
+  static constexpr std::size_t kMaxRegisters = 1024;
+
+  bool uses(Variable variable) const { return variable_registers_[static_cast<std::size_t>(variable)] >= 0; }
+
+  void evaluate(const PointInputs& inputs, std::size_t count, double* values) const noexcept;
+
+  /// Where a value is NaN so is its gradient, else no component is.
+  void evaluate(const PointInputs& inputs, std::size_t count, double* values, Vec3* gradients) const noexcept;
+
+  /// Holds the value at every point where all variables lie in theirs. Variables not used may be anything.
+  Interval bounds(const BoxInputs& box) const noexcept;
+
+ private:
+  friend class ProgramBuilder;
+
+  struct Instruction {
+    const Operation* operation = nullptr;  // null: load `constant`
+    std::array<std::uint16_t, 3> in{};
+    std::uint16_t out = 0;
+    Constant constant{};
+  };
+
+  FormulaProgram() { variable_registers_.fill(-1); }
+  void run_values(double* workspace, std::size_t stride, std::size_t count) const noexcept;
+  void run_duals(double* workspace, std::size_t stride, std::size_t count) const noexcept;
+
+  std::vector<Instruction> instructions_;
+  std::array<int, kVariableCount> variable_registers_;
+  std::size_t register_count_ = 0;
+  std::uint16_t result_ = 0;
+};
+
+/// Writes a program operand by operand and folds what is constant. Each operand is used once.
+class ProgramBuilder {
+ public:
+  struct Operand {
+    bool is_constant = false;
+    bool is_temporary = false;
+    std::uint16_t place = 0;
+    Constant constant{};
+  };
+
+  Operand constant(const Constant& constant) const { return {true, false, 0, constant}; }
+  Operand variable(Variable variable);
+  /// `operands`: as many as the operation takes.
+  Operand apply(const Operation& operation, const std::vector<Operand>& operands);
+
+  /// More than FormulaProgram::kMaxRegisters make a program that must not run.
+  std::size_t register_count() const { return program_.register_count_; }
+
+  FormulaProgram finish(const Operand& result);
+
+ private:
+  std::uint16_t allocate();
+  void release(const Operand& operand);
+  Operand loaded(const Operand& operand);
+  Operand folded(const Operation& operation, const std::vector<Operand>& operands) const;
+
+  FormulaProgram program_;
+  std::vector<std::uint16_t> free_;
+};
+
+}  // namespace fgmesh

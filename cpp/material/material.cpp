@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "material/material.hpp"
+
+#include <limits>
+#include <utility>
+
+#include "core/error.hpp"
+#include "material/formula_parser.hpp"
+#include "material/formula_program.hpp"
+#include "material/frame_coordinates.hpp"
+
+namespace fgmesh {
+namespace {
+
+void check_frame(const Frame& frame) {
+  if (!frame.origin.allFinite() || !frame.rotation.allFinite()) {
+    throw InvalidInput("the material's frame holds a number that is not finite");
+  }
+  // Far above what rounding does to a rotation, far below what a scaling or a shear is meant to do.
+  constexpr double kTolerance = 1e-6;
+  const Eigen::Matrix3d deviation = frame.rotation.transpose() * frame.rotation - Eigen::Matrix3d::Identity();
+  if (deviation.cwiseAbs().maxCoeff() > kTolerance || frame.rotation.determinant() < 0.0) {
+    throw InvalidInput(
+        "the rotation of the material's frame is none: its columns must be right-handed perpendicular unit "
+        "vectors");
+  }
+}
+
+const std::string& only_formula(const std::vector<std::string>& fractions) {
+  if (fractions.empty()) {
+    throw InvalidInput("a material needs a formula: the volume fraction of its first constituent");
+  }
+  if (fractions.size() > 1) {
+    throw InvalidInput(
+        "materials of more than two constituents are not available yet: give one formula, not " +
+        std::to_string(fractions.size()));
+  }
+  return fractions.front();
+}
+
+const std::map<std::string, double>& checked(const std::map<std::string, double>& parameters) {
+  check_parameters(parameters);
+  return parameters;
+}
+
+}  // namespace
+
+struct Material::State {
+  std::vector<std::string> fractions;
+  std::map<std::string, double> parameters;
+  Frame frame;
+  FormulaProgram program;
+};
+
+Material::Material(const std::vector<std::string>& fractions, const std::map<std::string, double>& parameters,
+                   const Frame& frame) {
+  check_frame(frame);
+  FormulaProgram program = parse_formula(only_formula(fractions), checked(parameters));
+  state_ = std::make_unique<const State>(State{fractions, parameters, frame, std::move(program)});
+}
+
+Material::Material(Material&&) noexcept = default;
+Material::~Material() = default;
+
+void Material::evaluate(const Vec3* points, std::size_t count, double* values) const {
+  state_->program.evaluate(FrameCoordinates(state_->frame, points), count, values);
+}
+
+void Material::evaluate(const Vec3* points, std::size_t count, double* values, Vec3* gradients) const {
+  state_->program.evaluate(FrameCoordinates(state_->frame, points), count, values, gradients);
+}
+
+void Material::bounds(const Box& box, double& low, double& high) const {
+  BoxInputs inputs{};
+  for (std::size_t v = 0; v < kVariableCount; ++v) {
+    const Variable variable = static_cast<Variable>(v);
+    if (state_->program.uses(variable)) inputs[v] = coordinate_bounds(state_->frame, box, variable);
+  }
+  const Interval result = state_->program.bounds(inputs);
+  const bool defined = !result.is_empty();
+  low = defined ? result.low : std::numeric_limits<double>::quiet_NaN();
+  high = defined ? result.high : std::numeric_limits<double>::quiet_NaN();
+}
+
+const std::vector<std::string>& Material::fractions() const { return state_->fractions; }
+const std::map<std::string, double>& Material::parameters() const { return state_->parameters; }
+const Frame& Material::frame() const { return state_->frame; }
+
+}  // namespace fgmesh

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/mesh_state.hpp"
+
+#include <sstream>
+
+#include "core/error.hpp"
+
+namespace fgmesh {
+namespace {
+
+/// Positions are exact to about this, mm (FreeCAD finds the nodes of a face within it).
+constexpr double kPositionTolerance = 1e-7;
+
+[[noreturn]] void refuse_value(double value, const Vec3& p) {
+  std::ostringstream text;
+  text.precision(10);
+  if (std::isfinite(value)) {
+    text << "the volume fraction is " << value << ", outside [0, 1],";
+  } else {
+    text << "the volume fraction is not a finite number";
+  }
+  text << " at the point (" << p.x() << ", " << p.y() << ", " << p.z()
+       << ") of the solid; correct the formula, or bound it with clamp(..., 0, 1)";
+  throw InvalidInput(text.str());
+}
+
+}  // namespace
+
+bool MeshState::evaluate(Vertex& vertex) const {
+  double value;
+  Vec3 gradient;
+  field_.evaluate(&vertex.position, 1, &value, &gradient);
+  for (int i = 0; i < 3; ++i)
+    if (!std::isfinite(gradient[i])) gradient[i] = std::copysign(1e3 / kPositionTolerance, gradient[i]);
+  const double tolerance = 1e-9 + kPositionTolerance * std::min(gradient.norm(), 1e-3 / kPositionTolerance);
+  if (!(value >= -tolerance && value <= 1.0 + tolerance)) {
+    if (boundary_.contains(vertex.position)) refuse_value(value, vertex.position);
+    if (!std::isfinite(value)) return false;
+  }
+  vertex.value = std::clamp(value, 0.0, 1.0);
+  vertex.gradient = gradient;
+  return true;
+}
+
+Vertex MeshState::carried(const Vertex& vertex, const Vec3& target, bool near) const {
+  Vertex result = vertex;
+  const double* guess = near ? vertex.parameter.data() : nullptr;
+  switch (vertex.carrier.dimension) {
+    case 0: break;
+    case 1: {
+      const CurvePoint found = boundary_.project_to_edge(vertex.carrier.number, target, guess);
+      result.position = found.position;
+      result.direction = found.tangent;
+      result.parameter = {found.t, 0.0};
+      break;
+    }
+    case 2: {
+      const SurfacePoint found = boundary_.project_to_face(vertex.carrier.number, target, guess);
+      result.position = found.position;
+      result.direction = found.normal;
+      result.parameter = {found.u, found.v};
+      break;
+    }
+    default: result.position = target;
+  }
+  return result;
+}
+
+std::optional<Vertex> MeshState::moved(const Vertex& vertex, const Vec3& target) const {
+  if (vertex.carrier.dimension == 0) return vertex;
+  Vertex result = carried(vertex, target);
+  if (!evaluate(result)) return std::nullopt;
+  return result;
+}
+
+std::optional<Vertex> MeshState::on_edge(int a, int b, int label, double s) const {
+  Vertex result;
+  result.size = vertices[a].size + s * (vertices[b].size - vertices[a].size);
+  if (const int edge = complex.crease(a, b)) {
+    result.carrier = {1, edge};
+  } else if (label) {
+    result.carrier = {2, label};
+  }
+  result = carried(result, position(a) + s * (position(b) - position(a)), false);
+  if (!evaluate(result)) return std::nullopt;
+  return result;
+}
+
+double chord_error(const Vertex& a, const Vertex& b) {
+  const Vec3 chord = b.position - a.position;
+  const auto seen_from = [&](const Vertex& end) {
+    if (end.carrier.dimension == 2) return 0.25 * std::abs(end.direction.dot(chord));
+    return 0.0;
+  };
+  if (a.carrier.dimension == 1 && b.carrier.dimension == 1 && a.carrier.number == b.carrier.number)
+    return 0.25 * std::max(a.direction.cross(chord).norm(), b.direction.cross(chord).norm());
+  return std::max(seen_from(a), seen_from(b));
+}
+
+bool faces_outward(const Vertex& a, const Vertex& b, const Vertex& c) {
+  constexpr double kLeastCosine = 0.5;
+  const Vec3 normal = area_vector(a.position, b.position, c.position);
+  const double least = kLeastCosine * normal.norm();
+  for (const Vertex* v : {&a, &b, &c})
+    if (v->carrier.dimension == 2 && v->direction.squaredNorm() > 0.0 && !(normal.dot(v->direction) > least)) return false;
+  return true;
+}
+
+bool keeps_surface(const MeshState& state, int v, const Vertex& moved, const std::vector<int>& star) {
+  const Vertex& old = state.vertices[v];
+  if (old.carrier.dimension == 3) return true;
+  for (int t : star) {
+    const Tet& tet = state.complex.tet(t);
+    const int own = tet.index_of(v);
+    for (int face = 0; face < 4; ++face) {
+      if (!tet.label[face] || face == own) continue;
+      const auto at = [&](int k, const Vertex& own_vertex) -> const Vertex& {
+        const int w = tet.vertex[kFaceVertices[face][k]];
+        return w == v ? own_vertex : state.vertices[w];
+      };
+      if (!faces_outward(at(0, moved), at(1, moved), at(2, moved)) && faces_outward(at(0, old), at(1, old), at(2, old)))
+        return false;
+      for (int i = 0; i < 4; ++i) {
+        if (i == face || i == own) continue;
+        const Vertex& end = state.vertices[tet.vertex[i]];
+        const double error = chord_error(moved, end);
+        if (error > state.chord_limit && error > chord_error(old, end)) return false;
+      }
+    }
+  }
+  return true;
+}
+
+int MeshState::label_at(int a, int b, const EdgeRing& ring) const {
+  for (int t : ring.tet) {
+    const Tet& tet = complex.tet(t);
+    for (int i = 0; i < 4; ++i)
+      if (tet.label[i] && tet.vertex[i] != a && tet.vertex[i] != b) return tet.label[i];
+  }
+  return 0;
+}
+
+int MeshState::add(const Vertex& vertex) {
+  vertices.push_back(vertex);
+  return complex.add_vertex();
+}
+
+TetMesh MeshState::to_tet_mesh(std::vector<int>* vertex_order) const {
+  TetMesh mesh;
+  std::vector<int> number(vertices.size(), -1);
+  if (vertex_order) vertex_order->clear();
+  for (int v = 0; v < complex.vertex_slots(); ++v) {
+    if (complex.tet_at(v) < 0) continue;
+    number[v] = static_cast<int>(mesh.points.size());
+    mesh.points.push_back(position(v));
+    mesh.carriers.push_back(vertices[v].carrier);
+    if (vertex_order) vertex_order->push_back(v);
+  }
+  for (int t = 0; t < complex.slots(); ++t) {
+    const Tet& tet = complex.tet(t);
+    if (!tet.alive()) continue;
+    mesh.tets.push_back({number[tet.vertex[0]], number[tet.vertex[1]], number[tet.vertex[2]],
+                         number[tet.vertex[3]]});
+    mesh.tet_solids.push_back(tet.solid);
+    for (int i = 0; i < 4; ++i) {
+      // An interface is written once, from the solid with the lower number.
+      const int other = tet.neighbour[i];
+      if (!tet.label[i] || (other >= 0 && complex.tet(other).solid < tet.solid)) continue;
+      const int* face = kFaceVertices[i];
+      mesh.triangles.push_back(
+          {number[tet.vertex[face[0]]], number[tet.vertex[face[1]]], number[tet.vertex[face[2]]]});
+      mesh.triangle_faces.push_back(tet.label[i]);
+    }
+  }
+  for (const auto& [a, b, edge] : complex.creases()) {
+    mesh.edges.push_back({number[a], number[b]});
+    mesh.edge_edges.push_back(edge);
+  }
+  return mesh;
+}
+
+}  // namespace fgmesh

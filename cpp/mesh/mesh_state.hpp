@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "core/boundary_geometry.hpp"
+#include "core/scalar_field.hpp"
+#include "core/tet_mesh.hpp"
+#include "mesh/tet_complex.hpp"
+#include "quality/tet_measures.hpp"
+
+namespace fgmesh {
+
+/// A vertex of the mesh in progress, with all that is worth remembering about its place.
+struct Vertex {
+  Vec3 position = Vec3::Zero();
+  Carrier carrier;
+  std::array<double, 2> parameter{};  ///< (u, v) on its face, or (t, -) on its edge
+  Vec3 direction = Vec3::Zero();      ///< unit normal of its face, or tangent of its edge
+  double value = 0.0;                 ///< f, clamped to [0, 1]
+  Vec3 gradient = Vec3::Zero();       ///< of f, 1/mm; finite
+  double size = 0.0;                  ///< mu, mm: see SizingField
+  bool frozen = false;                ///< M-vertex: the geometry-oriented refinement leaves it in place
+};
+
+/// The mesh between the stages: connectivity, vertices, and the two things every stage asks, the true
+/// boundary and the material. Vertices stay on their carrier whatever is done to them.
+class MeshState {
+ public:
+  MeshState(const BoundaryGeometry& boundary, const ScalarField& field, double threshold, double diagonal)
+      : boundary_(boundary), field_(field), threshold_(threshold), diagonal_(diagonal) {}
+
+  TetComplex complex;
+  std::vector<Vertex> vertices;
+
+  /// No move or swap may take a boundary facet or a crease edge farther than about this from the true boundary, mm
+  /// (those that are farther already may stay); see chord_error().
+  double chord_limit = 0.0;
+
+  double threshold() const { return threshold_; }
+  double diagonal() const { return diagonal_; }
+  const BoundaryGeometry& boundary() const { return boundary_; }
+  const ScalarField& field() const { return field_; }
+
+  const Vec3& position(int v) const { return vertices[v].position; }
+
+  double variation(const std::array<int, 4>& v) const {
+    return composition_variation(vertices[v[0]].value, vertices[v[1]].value, vertices[v[2]].value,
+                                 vertices[v[3]].value);
+  }
+  double variation(int t) const { return variation(complex.tet(t).vertex); }
+
+  /// The vertex moved to the point of its carrier nearest to `target`, with f evaluated there. Nothing where f is
+  /// not defined at a place outside the true solid; throws InvalidInput where the material leaves [0, 1], or
+  /// is not a number, at a point of the true solid.
+  std::optional<Vertex> moved(const Vertex& vertex, const Vec3& target) const;
+
+  /// A new vertex on the edge (a, b) at a + s (b - a), brought onto the carrier that the edge lies on. `label` is the FaceN
+  /// of the boundary facets at the edge, 0 inside a solid.
+  std::optional<Vertex> on_edge(int a, int b, int label, double s = 0.5) const;
+
+  /// f and its gradient at the vertex's position; false as for moved().
+  bool evaluate(Vertex& vertex) const;
+
+  /// The vertex brought onto its carrier at the place nearest to `target`; f is not evaluated.
+  Vertex carried(const Vertex& vertex, const Vec3& target, bool near = true) const;
+
+  /// FaceN of the boundary facets around an edge's ring; 0 where none is labelled. With several (a crease), the first.
+  int label_at(int a, int b, const EdgeRing& ring) const;
+
+  /// Adds a vertex to the mesh (in no tetrahedron yet).
+  int add(const Vertex& vertex);
+
+  /// The finished arrays; vertices in the order of their slots, unused ones left out.
+  TetMesh to_tet_mesh(std::vector<int>* vertex_order = nullptr) const;
+
+ private:
+  const BoundaryGeometry& boundary_;
+  const ScalarField& field_;
+  double threshold_;
+  double diagonal_;
+};
+
+/// About how far the middle of the boundary edge (a, b) is from the true boundary, mm: for an arc of a circle the angle between
+/// chord and tangent gives the sagitta.
+double chord_error(const Vertex& a, const Vertex& b);
+
+/// True where the facet (a, b, c), counter-clockwise seen from outside, faces the way of the true surface at its vertices.
+bool faces_outward(const Vertex& a, const Vertex& b, const Vertex& c);
+
+/// True where a boundary vertex may go to `moved` without taking an edge of the boundary beyond MeshState::chord_limit,
+/// or farther than it is, and without folding a facet over. `star` holds the tetrahedra at v.
+bool keeps_surface(const MeshState& state, int v, const Vertex& moved, const std::vector<int>& star);
+
+/// True where the tetrahedron is positively oriented with some margin above rounding.
+inline bool is_positive(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, double margin = 1e-6) {
+  const double squared = squared_edges(a, b, c, d);
+  return orientation(a, b, c, d) > margin * squared * std::sqrt(squared);
+}
+
+}  // namespace fgmesh

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/odt_smoothing.hpp"
+
+#include "mesh/swap.hpp"
+
+namespace fgmesh {
+namespace {
+
+/// |T| times the circumcentre, relative to the first corner; finite even where T is flat.
+Vec3 weighted_circumcentre(const Vec3& ab, const Vec3& ac, const Vec3& ad) {
+  return (ab.squaredNorm() * ac.cross(ad) + ac.squaredNorm() * ad.cross(ab) + ad.squaredNorm() * ab.cross(ac)) /
+         12.0;
+}
+
+Vec3 target_in_solid(const MeshState& state, int v, const std::vector<int>& star) {
+  Vec3 sum = Vec3::Zero();
+  double weights = 0.0;
+  const Vec3& p = state.position(v);
+  for (int t : star) {
+    const std::array<int, 4>& index = state.complex.tet(t).vertex;
+    const int* others = kFaceVertices[state.complex.tet(t).index_of(v)];
+    const Vertex &b = state.vertices[index[others[0]]], &c = state.vertices[index[others[1]]],
+                 &d = state.vertices[index[others[2]]];
+    const Vec3 ab = b.position - p, ac = c.position - p, ad = d.position - p;
+    const double size = 0.25 * (state.vertices[v].size + b.size + c.size + d.size);
+    const double density = 1.0 / (size * size * size);
+    weights += density * ab.cross(ac).dot(ad) / 6.0;
+    sum += density * weighted_circumcentre(ab, ac, ad);
+  }
+  return weights > 0.0 ? Vec3(p + sum / weights) : p;
+}
+
+Vec3 target_on_face(const MeshState& state, int v, const std::vector<int>& star) {
+  Vec3 sum = Vec3::Zero();
+  double weights = 0.0;
+  const Vec3& p = state.position(v);
+  for (int t : star) {
+    const Tet& tet = state.complex.tet(t);
+    const int own = tet.index_of(v);
+    for (int i = 0; i < 4; ++i) {
+      if (!tet.label[i] || i == own) continue;
+      std::array<int, 2> other{};
+      for (int j = 0, k = 0; j < 4; ++j)
+        if (j != i && j != own) other[k++] = tet.vertex[j];
+      const Vertex &b = state.vertices[other[0]], &c = state.vertices[other[1]];
+      const Vec3 ab = b.position - p, ac = c.position - p, normal = ab.cross(ac);
+      const double twice_area = normal.norm();
+      if (!(twice_area > 0.0)) continue;
+      const double size = (state.vertices[v].size + b.size + c.size) / 3.0;
+      const double weight = twice_area / (size * size);
+      const Vec3 centre = (ab.squaredNorm() * ac.cross(normal) + ac.squaredNorm() * normal.cross(ab)) /
+                          (2.0 * twice_area * twice_area);
+      weights += weight;
+      sum += weight * centre;
+    }
+  }
+  return weights > 0.0 ? Vec3(p + sum / weights) : p;
+}
+
+Vec3 target_on_edge(const MeshState& state, int v, const std::vector<int>& star) {
+  std::vector<int> neighbours;
+  for (int t : star)
+    for (int w : state.complex.tet(t).vertex)
+      if (w != v && state.complex.crease(v, w) && std::find(neighbours.begin(), neighbours.end(), w) == neighbours.end())
+        neighbours.push_back(w);
+  const Vec3& p = state.position(v);
+  Vec3 sum = Vec3::Zero();
+  double weights = 0.0;
+  for (int w : neighbours) {
+    const Vec3 way = state.position(w) - p;
+    const double weight = 2.0 * way.norm() / (state.vertices[v].size + state.vertices[w].size);
+    weights += weight;
+    sum += 0.5 * weight * way;
+  }
+  return weights > 0.0 ? Vec3(p + sum / weights) : p;
+}
+
+/// Smallest ratio of volume to cubed size over the star, with v imagined at `p`.
+double flatness(const MeshState& state, int v, const Vec3& p, const std::vector<int>& star) {
+  double worst = 1.0;
+  for (int t : star) {
+    const std::array<int, 4>& index = state.complex.tet(t).vertex;
+    const auto at = [&](int i) -> const Vec3& { return index[i] == v ? p : state.position(index[i]); };
+    const double squared = squared_edges(at(0), at(1), at(2), at(3));
+    worst = std::min(worst, orientation(at(0), at(1), at(2), at(3)) / (squared * std::sqrt(squared)));
+  }
+  return worst;
+}
+
+}  // namespace
+
+void update_sizes(MeshState& state, const SizingField& sizing) {
+  for (Vertex& vertex : state.vertices) vertex.size = sizing.at(vertex.gradient);
+  constexpr int kPasses = 8;  // each carries a limit across one more element; sizes change little between sweeps
+  for (int pass = 0; pass < kPasses; ++pass) {
+    bool changed = false;
+    for (int t = 0; t < state.complex.slots(); ++t) {
+      const Tet& tet = state.complex.tet(t);
+      if (!tet.alive()) continue;
+      for (const auto& edge : kEdgeVertices) {
+        Vertex &a = state.vertices[tet.vertex[edge[0]]], &b = state.vertices[tet.vertex[edge[1]]];
+        Vertex &small = a.size < b.size ? a : b, &large = a.size < b.size ? b : a;
+        const double limit = sizing.graded(small.size, (a.position - b.position).norm());
+        if (large.size > limit * (1.0 + 1e-6)) {
+          large.size = limit;
+          changed = true;
+        }
+      }
+    }
+    if (!changed) break;
+  }
+}
+
+Vec3 odt_target(const MeshState& state, int v, const std::vector<int>& star) {
+  switch (state.vertices[v].carrier.dimension) {
+    case 0: return state.position(v);
+    case 1: return target_on_edge(state, v, star);
+    case 2: return target_on_face(state, v, star);
+    default: return target_in_solid(state, v, star);
+  }
+}
+
+void odt_sweep(MeshState& state, double damping, RunControl& control) {
+  constexpr double kFlat = 2e-3;  // a regular tetrahedron has 0.048
+  std::vector<int> star;
+  for (int v = 0; v < state.complex.vertex_slots(); ++v) {
+    if (v % 512 == 0) control.check();
+    const Vertex& vertex = state.vertices[v];
+    if (state.complex.tet_at(v) < 0 || vertex.frozen || vertex.carrier.dimension == 0) continue;
+    state.complex.star(v, star);
+    const Vec3 way = damping * (odt_target(state, v, star) - vertex.position);
+    const double least = std::min(kFlat, flatness(state, v, vertex.position, star));
+    for (double part = 1.0; part > 0.2; part *= 0.5) {
+      const std::optional<Vertex> moved = state.moved(vertex, vertex.position + part * way);
+      if (!moved || !keeps_surface(state, v, *moved, star)) continue;
+      if (!(flatness(state, v, moved->position, star) > std::max(1e-6, least))) continue;
+      const double size = vertex.size;
+      state.vertices[v] = *moved;
+      state.vertices[v].size = size;
+      break;
+    }
+  }
+  control.check();
+  const OdtEnergy energy(state);
+  Swapper(state, energy).pass();
+}
+
+}  // namespace fgmesh

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/swap.hpp"
+
+namespace fgmesh {
+namespace {
+
+/// A swap must gain at least this part of the cost, or rounding makes swaps go in circles.
+constexpr double kLeastGain = 1e-9;
+
+bool is_gain(double before, double after) {
+  return after < before - kLeastGain * std::abs(before);
+}
+
+}  // namespace
+
+bool Swapper::remove_ringed_edge(int a, int b) {
+  TetComplex& complex = state_.complex;
+  const int n = static_cast<int>(ring_.link.size());
+  if (n > kLargestRing) return false;
+
+  const int solid = complex.tet(ring_.tet.front()).solid;
+  double before = -std::numeric_limits<double>::infinity();
+  for (int around : ring_.tet) {
+    const Tet& tet = complex.tet(around);
+    if (tet.solid != solid) return false;
+    const double cost = objective_.cost(tet.vertex);
+    before = around == ring_.tet.front() ? cost : objective_.join(before, cost);
+  }
+  int label = 0;
+  if (ring_.closed) {
+    if (state_.label_at(a, b, ring_)) return false;
+  } else {
+    const auto facet_label = [&](int tet_index, int apex) {
+      const Tet& tet = complex.tet(tet_index);
+      for (int i = 0; i < 4; ++i)
+        if (tet.vertex[i] != a && tet.vertex[i] != b && tet.vertex[i] != apex) return tet.label[i];
+      return 0;
+    };
+    label = facet_label(ring_.tet.front(), ring_.link.front());
+    if (complex.crease(a, b) || label != facet_label(ring_.tet.back(), ring_.link.back())) return false;
+  }
+
+  // The best triangulation of the polygon of link vertices, each triangle making two tetrahedra.
+  const std::vector<int>& link = ring_.link;
+  if (orientation(state_.position(a), state_.position(b), state_.position(link[0]), state_.position(link[1])) < 0.0)
+    std::swap(a, b);
+  for (int i = 0; i + 1 < n; ++i) best_[i][i + 1] = 0.0;
+  for (int width = 2; width < n; ++width) {
+    for (int i = 0; i + width < n; ++i) {
+      const int j = i + width;
+      best_[i][j] = std::numeric_limits<double>::infinity();
+      for (int k = i + 1; k < j; ++k) {
+        double cost = objective_.cost({link[i], link[k], link[j], b});
+        if (!(cost < std::numeric_limits<double>::infinity())) continue;
+        cost = objective_.join(cost, objective_.cost({link[i], link[j], link[k], a}));
+        if (k > i + 1) cost = objective_.join(cost, best_[i][k]);
+        if (j > k + 1) cost = objective_.join(cost, best_[k][j]);
+        if (cost < best_[i][j]) {
+          best_[i][j] = cost;
+          split_[i][j] = k;
+        }
+      }
+    }
+  }
+  if (n == 2) best_[0][1] = objective_.nothing();
+  if (!is_gain(before, best_[0][n - 1]) || !polygon_is_free()) return false;
+
+  std::vector<LabelledFacet> facets;
+  if (!ring_.closed) {
+    if (!surface_allows(a, b, link.front(), link.back())) return false;
+    facets = {{{a, link.front(), link.back()}, label}, {{b, link.front(), link.back()}, label}};
+  }
+  filling_.clear();
+  fill_polygon(0, n - 1, a, b, solid);
+  complex.replace(ring_.tet, filling_, facets);
+  return true;
+}
+
+void Swapper::fill_polygon(int i, int j, int a, int b, int solid) {
+  if (j < i + 2) return;
+  const int k = split_[i][j];
+  const std::vector<int>& link = ring_.link;
+  filling_.push_back({{link[i], link[k], link[j], b}, solid});
+  filling_.push_back({{link[i], link[j], link[k], a}, solid});
+  fill_polygon(i, k, a, b, solid);
+  fill_polygon(k, j, a, b, solid);
+}
+
+bool Swapper::exists(int a, int b, int c) const {
+  // Only where all lie on the boundary can a swap make again what stands elsewhere.
+  for (int v : {a, b, c})
+    if (v >= 0 && state_.vertices[v].carrier.dimension == 3) return false;
+  state_.complex.star(a, star_);
+  return std::any_of(star_.begin(), star_.end(), [&](int t) {
+    const Tet& tet = state_.complex.tet(t);
+    return tet.has(b) && (c < 0 || tet.has(c));
+  });
+}
+
+bool Swapper::polygon_is_free() const {
+  const std::vector<int>& link = ring_.link;
+  const int n = static_cast<int>(link.size());
+  if (n == 2) {  // a tetrahedron is taken away: the edge opposite must lie inside, and so must its faces
+    EdgeRing opposite;
+    state_.complex.ring(link[0], link[1], ring_.tet.front(), opposite);
+    return opposite.closed && !state_.label_at(link[0], link[1], opposite);
+  }
+  if (n == 3 && ring_.closed) return !exists(link[0], link[1], link[2]);
+  for (int i = 0; i < n; ++i)
+    for (int j = i + 2; j < n; ++j)
+      if (!(ring_.closed && i == 0 && j == n - 1) && exists(link[i], link[j])) return false;
+  return true;
+}
+
+bool Swapper::surface_allows(int a, int b, int c, int d) const {
+  const Vertex &va = state_.vertices[a], &vb = state_.vertices[b], &vc = state_.vertices[c], &vd = state_.vertices[d];
+  if (chord_error(vc, vd) > std::max(state_.chord_limit, chord_error(va, vb))) return false;
+  // Seen along a -> b the ring turns from c to d through the solid, so these look outward.
+  return faces_outward(va, vc, vd) && faces_outward(vb, vd, vc);
+}
+
+bool Swapper::remove_face(int t, int face) {
+  TetComplex& complex = state_.complex;
+  const Tet& tet = complex.tet(t);
+  const int other = tet.neighbour[face];
+  if (other < 0 || tet.label[face]) return false;
+  const Tet& beyond = complex.tet(other);
+  const int p = tet.vertex[kFaceVertices[face][0]], q = tet.vertex[kFaceVertices[face][1]],
+            r = tet.vertex[kFaceVertices[face][2]];
+  int far = -1;
+  for (int v : beyond.vertex)
+    if (v != p && v != q && v != r) far = v;
+  const int near = tet.vertex[face];
+  const double before = objective_.join(objective_.cost(tet.vertex), objective_.cost(beyond.vertex));
+  const std::array<std::array<int, 4>, 3> made = {{{near, far, p, q}, {near, far, q, r}, {near, far, r, p}}};
+  double after = objective_.cost(made[0]);
+  for (int i = 1; i < 3 && is_gain(before, after); ++i) after = objective_.join(after, objective_.cost(made[i]));
+  if (!is_gain(before, after)) return false;
+  if (exists(near, far)) return false;
+  const int solid = tet.solid;
+  filling_.clear();
+  for (const auto& vertex : made) filling_.push_back({vertex, solid});
+  complex.replace({t, other}, filling_, {});
+  return true;
+}
+
+bool Swapper::improve(int t) {
+  for (int face = 0; face < 4; ++face)
+    if (remove_face(t, face)) return true;
+  const std::array<int, 4> v = state_.complex.tet(t).vertex;
+  for (const auto& edge : kEdgeVertices)
+    if (remove_edge(v[edge[0]], v[edge[1]], t)) return true;
+  return false;
+}
+
+int Swapper::pass() {
+  TetComplex& complex = state_.complex;
+  int count = 0;
+  for (int t = 0; t < complex.slots(); ++t) {
+    for (int face = 0; face < 4 && complex.tet(t).alive(); ++face)
+      if (t < complex.tet(t).neighbour[face] && remove_face(t, face)) ++count;
+    for (int e = 0; e < 6 && complex.tet(t).alive(); ++e) {
+      const int a = complex.tet(t).vertex[kEdgeVertices[e][0]], b = complex.tet(t).vertex[kEdgeVertices[e][1]];
+      complex.ring(a, b, t, ring_);
+      // Each edge once: from the first of its tetrahedra.
+      if (*std::min_element(ring_.tet.begin(), ring_.tet.end()) == t && remove_ringed_edge(a, b)) ++count;
+    }
+  }
+  return count;
+}
+
+}  // namespace fgmesh

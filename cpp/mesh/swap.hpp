@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+#include "mesh/mesh_state.hpp"
+#include "mesh/tet_score.hpp"
+
+namespace fgmesh {
+
+/// What swaps lower. cost() of a tetrahedron is infinite where it is not positively oriented; join() puts the costs of two
+/// sets of tetrahedra together.
+class SwapObjective {
+ public:
+  virtual ~SwapObjective() = default;
+  virtual double cost(const std::array<int, 4>& tet) const = 0;
+  virtual double join(double a, double b) const = 0;
+  /// Of no tetrahedron at all: what is left where a flat one on the boundary is taken away.
+  virtual double nothing() const = 0;
+};
+
+/// The ODT energy for fixed vertices: the interpolation error of |x|^2, sum of |T| times the squared edges (Chen and Xu
+/// 2004). Its minimum is the Delaunay triangulation, so lowering it by swaps leads there.
+class OdtEnergy final : public SwapObjective {
+ public:
+  explicit OdtEnergy(const MeshState& state) : state_(state) {}
+  double cost(const std::array<int, 4>& v) const override {
+    const Vec3 &a = state_.position(v[0]), &b = state_.position(v[1]), &c = state_.position(v[2]),
+               &d = state_.position(v[3]);
+    const double squared = squared_edges(a, b, c, d), volume = orientation(a, b, c, d);
+    if (!(volume > 1e-6 * squared * std::sqrt(squared))) return std::numeric_limits<double>::infinity();
+    return volume * squared;
+  }
+  double join(double a, double b) const override { return a + b; }
+  double nothing() const override { return std::numeric_limits<double>::infinity(); }
+
+ private:
+  const MeshState& state_;
+};
+
+/// The worst score of the tetrahedra.
+class WorstScore final : public SwapObjective {
+ public:
+  explicit WorstScore(const TetScore& score) : score_(score) {}
+  double cost(const std::array<int, 4>& v) const override { return -score_(v); }
+  double join(double a, double b) const override { return std::max(a, b); }
+  double nothing() const override { return -1.0; }
+
+ private:
+  const TetScore& score_;
+};
+
+/// Swaps edges and faces of a mesh where that lowers an objective. Creases and labels stay; an edge inside a face of the
+/// boundary is swapped with the surface (2-2) where the new edge
+/// stays as close to the true face as MeshState::chord_limit asks.
+class Swapper {
+ public:
+  Swapper(MeshState& state, const SwapObjective& objective) : state_(state), objective_(objective) {}
+
+  /// Removes the edge (a, b), which tetrahedron t has, if some other filling of its ring costs less.
+  bool remove_edge(int a, int b, int t) {
+    state_.complex.ring(a, b, t, ring_);
+    return remove_ringed_edge(a, b);
+  }
+
+  /// Exchanges the face that t shares with its neighbour for an edge, if the three new tetrahedra cost less.
+  bool remove_face(int t, int face);
+
+  /// Tries all edges and faces of the mesh once; returns how many were swapped.
+  int pass();
+
+  /// Tries the edges and faces of one tetrahedron until one is swapped.
+  bool improve(int t);
+
+ private:
+  bool remove_ringed_edge(int a, int b);
+  bool surface_allows(int a, int b, int c, int d) const;
+  bool exists(int a, int b, int c = -1) const;
+  bool polygon_is_free() const;
+  void fill_polygon(int i, int j, int a, int b, int solid);
+
+  static constexpr int kLargestRing = 7;
+
+  MeshState& state_;
+  const SwapObjective& objective_;
+
+  EdgeRing ring_;
+  double best_[kLargestRing + 1][kLargestRing + 1];
+  int split_[kLargestRing + 1][kLargestRing + 1];
+  std::vector<NewTet> filling_;
+  mutable std::vector<int> star_;
+};
+
+}  // namespace fgmesh

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/tet_complex.hpp"
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "quality/tet_measures.hpp"
+
+namespace fgmesh {
+namespace {
+
+std::array<int, 3> face_of(const std::array<int, 4>& tet, int face) {
+  return {tet[kFaceVertices[face][0]], tet[kFaceVertices[face][1]], tet[kFaceVertices[face][2]]};
+}
+
+std::array<int, 3> sorted(std::array<int, 3> v) {
+  if (v[0] > v[1]) std::swap(v[0], v[1]);
+  if (v[1] > v[2]) std::swap(v[1], v[2]);
+  if (v[0] > v[1]) std::swap(v[0], v[1]);
+  return v;
+}
+
+}  // namespace
+
+void TetComplex::build(const std::vector<NewTet>& tets, const std::vector<LabelledFacet>& facets,
+                       int vertex_count) {
+  tets_.clear();
+  free_.clear();
+  creases_.clear();
+  tet_of_.assign(vertex_count, -1);
+  tets_.reserve(tets.size());
+  for (const NewTet& tet : tets) {
+    const int t = static_cast<int>(tets_.size());
+    tets_.emplace_back();
+    tets_[t].vertex = tet.vertex;
+    tets_[t].solid = tet.solid;
+    for (int v : tet.vertex) tet_of_[v] = t;
+  }
+  alive_ = static_cast<int>(tets_.size());
+  marks_.assign(tets_.size(), 0);
+
+  struct Side {
+    std::array<int, 3> vertex;
+    int tet, face;  // tet -1: a labelled facet, its label in `face`
+  };
+  std::vector<Side> sides;
+  sides.reserve(4 * tets_.size() + facets.size());
+  for (const LabelledFacet& facet : facets) sides.push_back({sorted(facet.vertex), -1, facet.label});
+  for (int t = 0; t < slots(); ++t)
+    for (int i = 0; i < 4; ++i) sides.push_back({sorted(face_of(tets_[t].vertex, i)), t, i});
+  std::stable_sort(sides.begin(), sides.end(),
+                   [](const Side& a, const Side& b) { return a.vertex < b.vertex; });
+
+  for (std::size_t first = 0; first < sides.size();) {
+    std::size_t last = first;
+    int label = 0;
+    std::vector<const Side*> owners;
+    for (; last < sides.size() && sides[last].vertex == sides[first].vertex; ++last) {
+      if (sides[last].tet < 0) label = sides[last].face;
+      else owners.push_back(&sides[last]);
+    }
+    first = last;
+    if (owners.empty()) continue;
+    if (owners.size() > 2) throw GeometryError("the initial mesh is no complex: a face of three tetrahedra");
+    if (owners.size() == 1 && label == 0)
+      throw GeometryError("the initial mesh has a boundary facet that belongs to no face of the shape");
+    for (std::size_t i = 0; i < owners.size(); ++i) {
+      Tet& tet = tets_[owners[i]->tet];
+      tet.label[owners[i]->face] = label;
+      tet.neighbour[owners[i]->face] = owners.size() == 2 ? owners[1 - i]->tet : -1;
+    }
+  }
+}
+
+void TetComplex::star(int v, std::vector<int>& star) const {
+  star.clear();
+  const int first = tet_of_[v];
+  if (first < 0) return;
+  const int stamp = fresh_stamp();
+  mark(first, stamp);
+  star.push_back(first);
+  for (std::size_t next = 0; next < star.size(); ++next) {
+    const Tet& tet = tets_[star[next]];
+    for (int i = 0; i < 4; ++i) {
+      const int other = tet.neighbour[i];
+      if (tet.vertex[i] != v && other >= 0 && mark(other, stamp)) star.push_back(other);
+    }
+  }
+}
+
+void TetComplex::ring(int a, int b, int t, EdgeRing& ring) const {
+  ring.tet.clear();
+  ring.link.clear();
+  // Walk one way; where that ends at the boundary, start there and walk the whole ring the other way.
+  const auto others = [&](int tet_index) {
+    std::array<int, 2> found{};
+    int count = 0;
+    for (int v : tets_[tet_index].vertex)
+      if (v != a && v != b) found[count++] = v;
+    return found;
+  };
+  int current = t, came_from = others(t)[0];
+  ring.closed = false;
+  while (true) {
+    const std::array<int, 2> pair = others(current);
+    const int ahead = pair[0] == came_from ? pair[1] : pair[0];
+    const int next = tets_[current].neighbour[tets_[current].index_of(came_from)];
+    if (next == t) {
+      ring.closed = true;
+      break;
+    }
+    if (next < 0) {
+      came_from = ahead;
+      break;
+    }
+    came_from = ahead;
+    current = next;
+  }
+  if (ring.closed) {
+    current = t;
+    came_from = others(t)[0];
+  }
+  const int start = current;
+  ring.link.push_back(came_from);
+  while (true) {
+    ring.tet.push_back(current);
+    const std::array<int, 2> pair = others(current);
+    const int ahead = pair[0] == came_from ? pair[1] : pair[0];
+    const int next = tets_[current].neighbour[tets_[current].index_of(came_from)];
+    if (ring.closed && next == start) break;
+    ring.link.push_back(ahead);
+    if (next < 0) break;
+    came_from = ahead;
+    current = next;
+  }
+}
+
+int TetComplex::find_edge(int a, int b) const {
+  std::vector<int> around;
+  star(a, around);
+  for (int t : around)
+    if (tets_[t].has(b)) return t;
+  return -1;
+}
+
+int TetComplex::new_slot() {
+  if (!free_.empty()) {
+    const int t = free_.back();
+    free_.pop_back();
+    return t;
+  }
+  tets_.emplace_back();
+  marks_.push_back(0);
+  return static_cast<int>(tets_.size()) - 1;
+}
+
+int TetComplex::hole_entry(std::array<int, 3> vertices) {
+  vertices = sorted(vertices);
+  const std::size_t mask = hole_table_.size() - 1;
+  std::size_t place = (static_cast<std::size_t>(vertices[0]) * 73856093u) ^
+                      (static_cast<std::size_t>(vertices[1]) * 19349663u) ^
+                      (static_cast<std::size_t>(vertices[2]) * 83492791u);
+  for (place &= mask; hole_table_[place] >= 0; place = (place + 1) & mask)
+    if (hole_[hole_table_[place]].vertex == vertices) return hole_table_[place];
+  hole_table_[place] = static_cast<int>(hole_.size());
+  hole_.push_back({vertices});
+  return hole_table_[place];
+}
+
+void TetComplex::replace(const std::vector<int>& cavity, const std::vector<NewTet>& filling,
+                         const std::vector<LabelledFacet>& facets) {
+  std::size_t size = 64;
+  while (size < 8 * (cavity.size() + filling.size())) size *= 2;
+  hole_table_.assign(size, -1);
+  hole_.clear();
+
+  const int stamp = fresh_stamp();
+  for (int t : cavity) mark(t, stamp);
+  for (int t : cavity) {
+    for (int i = 0; i < 4; ++i) {
+      const int outer = tets_[t].neighbour[i];
+      if (outer >= 0 && marked(outer, stamp)) continue;
+      HoleFace& face = hole_[hole_entry(face_of(tets_[t].vertex, i))];
+      face.label = tets_[t].label[i];
+      if (outer < 0) continue;
+      std::array<int, 4>& back = tets_[outer].neighbour;
+      face.tet = outer;
+      face.face = static_cast<int>(std::find(back.begin(), back.end(), t) - back.begin());
+      back[face.face] = -1;
+    }
+  }
+  for (const LabelledFacet& facet : facets) hole_[hole_entry(facet.vertex)].label = facet.label;
+  for (const HoleFace& face : hole_)
+    if (face.tet >= 0) tets_[face.tet].label[face.face] = face.label;
+
+  for (int t : cavity) {
+    for (int v : tets_[t].vertex) tet_of_[v] = -1;
+    tets_[t].solid = 0;
+    free_.push_back(t);
+  }
+  for (const HoleFace& face : hole_)
+    if (face.tet >= 0)
+      for (int v : face.vertex) tet_of_[v] = face.tet;
+  created_.clear();
+  for (const NewTet& made : filling) {
+    const int t = new_slot();
+    created_.push_back(t);
+    tets_[t] = Tet{made.vertex, {-1, -1, -1, -1}, {}, made.solid};
+    for (int v : made.vertex) tet_of_[v] = t;
+    for (int i = 0; i < 4; ++i) {
+      HoleFace& face = hole_[hole_entry(face_of(made.vertex, i))];
+      tets_[t].label[i] = face.label;
+      if (face.tet >= 0) {
+        tets_[t].neighbour[i] = face.tet;
+        tets_[face.tet].neighbour[face.face] = t;
+      } else {
+        face.tet = t;
+        face.face = i;
+      }
+    }
+  }
+  alive_ += static_cast<int>(filling.size()) - static_cast<int>(cavity.size());
+}
+
+std::vector<std::array<int, 3>> TetComplex::creases() const {
+  std::vector<std::array<int, 3>> list;
+  list.reserve(creases_.size());
+  for (const auto& [pair, edge] : creases_)
+    list.push_back({static_cast<int>(pair >> 32), static_cast<int>(pair & 0xffffffffu), edge});
+  std::sort(list.begin(), list.end());
+  return list;
+}
+
+}  // namespace fgmesh

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+namespace fgmesh {
+
+/// One tetrahedron with its neighbours. Face i is opposite vertex i (see kFaceVertices).
+struct Tet {
+  std::array<int, 4> vertex{};
+  std::array<int, 4> neighbour{-1, -1, -1, -1};  ///< across face i; -1: the outside
+  std::array<int, 4> label{};  ///< FaceN that face i is part of; 0: inside a solid
+  int solid = 0;               ///< SolidN; 0: this slot is free
+
+  bool alive() const { return solid != 0; }
+  int index_of(int v) const {
+    return vertex[0] == v ? 0 : vertex[1] == v ? 1 : vertex[2] == v ? 2 : vertex[3] == v ? 3 : -1;
+  }
+  bool has(int v) const { return index_of(v) >= 0; }
+};
+
+/// A labelled triangle of the boundary or of an interface.
+struct LabelledFacet {
+  std::array<int, 3> vertex{};
+  int label = 0;
+};
+
+/// A tetrahedron about to be made.
+struct NewTet {
+  std::array<int, 4> vertex{};
+  int solid = 0;
+};
+
+/// The tetrahedra around an edge, in order. link[i] and link[i + 1] are the other two vertices of tet[i]; where the
+/// ring is closed link has as many entries as tet and wraps around, else one more.
+struct EdgeRing {
+  std::vector<int> tet;
+  std::vector<int> link;
+  bool closed = false;
+};
+
+/// The connectivity of a tetrahedral mesh in progress: neighbours, labels, crease edges. It knows no
+/// coordinates. Every change is one cavity of tetrahedra replaced by another filling of the same
+/// hole, so that one function keeps everything consistent.
+class TetComplex {
+ public:
+  /// Builds all neighbours anew. `facets` labels the boundary and the interfaces. Throws GeometryError
+  /// where the tetrahedra do not form a complex (a face of three tetrahedra, a boundary face without label).
+  void build(const std::vector<NewTet>& tets, const std::vector<LabelledFacet>& facets, int vertex_count);
+
+  /// One past the highest slot; slots may be free (see Tet::alive).
+  int slots() const { return static_cast<int>(tets_.size()); }
+  int tet_count() const { return alive_; }
+  const Tet& tet(int t) const { return tets_[t]; }
+
+  int vertex_slots() const { return static_cast<int>(tet_of_.size()); }
+  /// Some tetrahedron at vertex v; -1 where there is none.
+  int tet_at(int v) const { return tet_of_[v]; }
+  int add_vertex() {
+    tet_of_.push_back(-1);
+    return vertex_slots() - 1;
+  }
+  /// Forgets the newest vertex, which must not be in use.
+  void drop_last_vertex() { tet_of_.pop_back(); }
+
+  /// All tetrahedra at vertex v, in `star` (its old content is dropped).
+  void star(int v, std::vector<int>& star) const;
+
+  /// The ring of edge (a, b), which tetrahedron t has.
+  void ring(int a, int b, int t, EdgeRing& ring) const;
+
+  /// Some tetrahedron that has the edge (a, b); -1 where the mesh has no such edge.
+  int find_edge(int a, int b) const;
+
+  /// Removes the tetrahedra `cavity` and fills the hole with `filling`. Labels on the hole's outer faces
+  /// stay; `facets` are the labelled triangles that lie inside the cavity or on its part of the boundary
+  /// afterwards. The caller has made sure that the filling fits.
+  void replace(const std::vector<int>& cavity, const std::vector<NewTet>& filling,
+               const std::vector<LabelledFacet>& facets);
+
+  /// The tetrahedra made by the last replace().
+  const std::vector<int>& created() const { return created_; }
+
+  /// EdgeN that the mesh edge (a, b) follows; 0: none.
+  int crease(int a, int b) const {
+    const auto found = creases_.find(key(a, b));
+    return found == creases_.end() ? 0 : found->second;
+  }
+  void set_crease(int a, int b, int edge) { creases_[key(a, b)] = edge; }
+  void clear_crease(int a, int b) { creases_.erase(key(a, b)); }
+  /// Every crease edge (a < b) with its EdgeN, sorted.
+  std::vector<std::array<int, 3>> creases() const;
+
+  /// Stamps for traversals: a fresh stamp marks nothing.
+  int fresh_stamp() const { return ++stamp_; }
+  bool mark(int t, int stamp) const {
+    if (marks_[t] == stamp) return false;
+    marks_[t] = stamp;
+    return true;
+  }
+  bool marked(int t, int stamp) const { return marks_[t] == stamp; }
+
+ private:
+  // A face of the hole that replace() fills: who stands behind it, and with which label.
+  struct HoleFace {
+    std::array<int, 3> vertex;  // sorted
+    int tet = -1, face = -1;    // the tetrahedron that waits for a neighbour here; -1: only a label
+    int label = 0;
+  };
+
+  static std::uint64_t key(int a, int b) {
+    if (a > b) std::swap(a, b);
+    return (static_cast<std::uint64_t>(a) << 32) | static_cast<std::uint32_t>(b);
+  }
+  int new_slot();
+  int hole_entry(std::array<int, 3> vertices);
+
+  std::vector<Tet> tets_;
+  std::vector<int> tet_of_;
+  std::vector<int> free_;
+  std::unordered_map<std::uint64_t, int> creases_;
+  int alive_ = 0;
+
+  std::vector<int> created_;
+  std::vector<HoleFace> hole_;
+  std::vector<int> hole_table_;  // open addressing into hole_; its size is a power of two
+  mutable std::vector<int> marks_;
+  mutable int stamp_ = 0;
+};
+
+}  // namespace fgmesh

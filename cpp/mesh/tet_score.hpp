@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "mesh/mesh_state.hpp"
+
+namespace fgmesh {
+
+/// What every tetrahedron is asked for.
+struct QualityGoal {
+  double smallest_angle = 15.0;   ///< degrees
+  double largest_angle = 157.0;   ///< degrees
+};
+
+/// How far a tetrahedron is from its goals: 1 where every one of them is met, less by the ratio to the goal that it
+/// misses most, and -infinity where it is not positively oriented. Angles and material count alike, so that
+/// one acceptance test serves both.
+class TetScore {
+ public:
+  TetScore(const MeshState& state, const QualityGoal& goal) : state_(state), goal_(goal) {}
+
+  double operator()(const std::array<int, 4>& v) const {
+    const auto& x = state_.vertices;
+    return of(x[v[0]], x[v[1]], x[v[2]], x[v[3]]);
+  }
+  double operator()(int t) const { return (*this)(state_.complex.tet(t).vertex); }
+
+  /// The same with vertex `v` imagined at another place.
+  double with(int t, int v, const Vertex& moved) const {
+    const std::array<int, 4>& index = state_.complex.tet(t).vertex;
+    const auto pick = [&](int i) -> const Vertex& { return index[i] == v ? moved : state_.vertices[index[i]]; };
+    return of(pick(0), pick(1), pick(2), pick(3));
+  }
+
+  double of(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& d) const;
+
+  const QualityGoal& goal() const { return goal_; }
+
+ private:
+  const MeshState& state_;
+  QualityGoal goal_;
+};
+
+}  // namespace fgmesh

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/threshold_relaxation.hpp"
+
+namespace fgmesh {
+namespace {
+
+struct Request {
+  Vec3 way = Vec3::Zero();
+  int count = 0;
+};
+
+std::vector<Request> gather(const MeshState& state, double aim, int& above) {
+  std::vector<Request> requests(state.vertices.size());
+  above = 0;
+  for (int t = 0; t < state.complex.slots(); ++t) {
+    const Tet& tet = state.complex.tet(t);
+    if (!tet.alive()) continue;
+    const auto by_value = [&](int a, int b) { return state.vertices[a].value < state.vertices[b].value; };
+    const auto [low, high] = std::minmax_element(tet.vertex.begin(), tet.vertex.end(), by_value);
+    const double variation = state.vertices[*high].value - state.vertices[*low].value;
+    if (variation > state.threshold()) ++above;
+    if (variation <= aim) continue;
+    for (const int v : {*low, *high}) {
+      const Vec3& gradient = state.vertices[v].gradient;
+      const double slope = gradient.norm();
+      if (!(slope > 0.0)) continue;
+      const double longest = 0.2 * (state.position(*high) - state.position(*low)).norm();
+      const double step = std::min(longest, 0.5 * (variation - aim) / slope);
+      requests[v].way += (v == *low ? step : -step) / slope * gradient;
+      ++requests[v].count;
+    }
+  }
+  return requests;
+}
+
+/// Worst flatness and largest variation of a star with v imagined elsewhere.
+struct StarState {
+  double flatness = 1.0;
+  double variation = 0.0;
+};
+
+StarState star_state(const MeshState& state, int v, const Vertex& moved, const std::vector<int>& star) {
+  StarState result;
+  for (int t : star) {
+    const std::array<int, 4>& index = state.complex.tet(t).vertex;
+    const auto at = [&](int i) -> const Vertex& { return index[i] == v ? moved : state.vertices[index[i]]; };
+    const Vec3 &a = at(0).position, &b = at(1).position, &c = at(2).position, &d = at(3).position;
+    const double squared = squared_edges(a, b, c, d);
+    result.flatness = std::min(result.flatness, orientation(a, b, c, d) / (squared * std::sqrt(squared)));
+    result.variation = std::max(
+        result.variation, composition_variation(at(0).value, at(1).value, at(2).value, at(3).value));
+  }
+  return result;
+}
+
+}  // namespace
+
+int relax_threshold(MeshState& state, double aim, RunControl& control) {
+  constexpr double kFlat = 4e-3;  // a regular tetrahedron has 0.048
+  int above = 0;
+  const std::vector<Request> requests = gather(state, aim, above);
+  std::vector<int> star;
+  for (int v = 0; v < state.complex.vertex_slots(); ++v) {
+    if (v % 512 == 0) control.check();
+    const Vertex& vertex = state.vertices[v];
+    if (requests[v].count == 0 || state.complex.tet_at(v) < 0 || vertex.carrier.dimension == 0) continue;
+    state.complex.star(v, star);
+    const StarState before = star_state(state, v, vertex, star);
+    const Vec3 way = requests[v].way / requests[v].count;
+    for (double part = 1.0; part > 0.2; part *= 0.5) {
+      const std::optional<Vertex> moved = state.moved(vertex, vertex.position + part * way);
+      if (!moved || !keeps_surface(state, v, *moved, star)) continue;
+      const StarState after = star_state(state, v, *moved, star);
+      if (after.flatness <= std::min(kFlat, before.flatness)) continue;
+      if (after.variation > std::max(before.variation, state.threshold())) continue;
+      state.vertices[v] = *moved;
+      break;
+    }
+  }
+  return above;
+}
+
+}  // namespace fgmesh

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/worst_first.hpp"
+
+#include "mesh/odt_smoothing.hpp"
+#include "mesh/swap.hpp"
+
+namespace fgmesh {
+
+std::vector<int> WorstFirst::bad_tets(double least) const {
+  std::vector<std::pair<double, int>> found;
+  for (int t = 0; t < state_.complex.slots(); ++t) {
+    if (!state_.complex.tet(t).alive()) continue;
+    const double score = score_(t);
+    if (score < least) found.emplace_back(score, t);
+  }
+  std::sort(found.begin(), found.end());
+  std::vector<int> tets;
+  tets.reserve(found.size());
+  for (const auto& [score, t] : found) tets.push_back(t);
+  return tets;
+}
+
+Vec3 WorstFirst::random_direction() {
+  // Numerical Recipes' linear congruence: the same on every machine, unlike the library's distributions.
+  const auto next = [&] {
+    random_ = 1664525u * random_ + 1013904223u;
+    return static_cast<double>(random_ >> 8) / 8388608.0 - 1.0;
+  };
+  Vec3 direction;
+  do {
+    direction = Vec3(next(), next(), next());
+  } while (direction.squaredNorm() > 1.0 || direction.squaredNorm() < 0.01);
+  return direction.normalized();
+}
+
+double WorstFirst::star_score(int v, const Vertex& moved, double stop_below) const {
+  double worst = 1.0;
+  for (int t : star_) {
+    worst = std::min(worst, score_.with(t, v, moved));
+    if (worst <= stop_below) break;
+  }
+  return worst;
+}
+
+bool WorstFirst::improve_vertex(int v) {
+  if (state_.vertices[v].frozen || state_.vertices[v].carrier.dimension == 0) return false;
+  state_.complex.star(v, star_);
+  double best = 1.0, length = 0.0;
+  int worst_tet = -1, edges = 0;
+  for (int t : star_) {
+    const double score = score_(t);
+    if (score < best) {
+      best = score;
+      worst_tet = t;
+    }
+    for (int w : state_.complex.tet(t).vertex) {
+      length += (state_.position(w) - state_.position(v)).norm();
+      edges += w != v;
+    }
+  }
+  if (worst_tet < 0) return false;
+  length /= edges;
+
+  const Tet& worst = state_.complex.tet(worst_tet);
+  const int* base = kFaceVertices[worst.index_of(v)];
+  const Vec3 away = -area_vector(state_.position(worst.vertex[base[0]]), state_.position(worst.vertex[base[1]]),
+                                 state_.position(worst.vertex[base[2]]))
+                         .normalized();
+  const Vec3 gradient = state_.vertices[v].gradient.normalized();
+  const Vec3 centre = odt_target(state_, v, star_) - state_.position(v);
+
+  bool improved = false;
+  for (double step = 0.3 * length; step > 0.02 * length; step *= 0.5) {
+    const std::array<Vec3, 7> ways = {away * step,     gradient * step,           gradient * -step,
+                                      centre * (step / length), random_direction() * step, random_direction() * step,
+                                      random_direction() * step};
+    for (const Vec3& way : ways) {
+      if (!way.allFinite()) continue;
+      const std::optional<Vertex> moved = state_.moved(state_.vertices[v], state_.position(v) + way);
+      if (!moved || !keeps_surface(state_, v, *moved, star_)) continue;
+      const double score = star_score(v, *moved, best);
+      if (score <= best * (1.0 + 1e-6) && !(best < 0.0 && score > best)) continue;
+      const double size = state_.vertices[v].size;
+      state_.vertices[v] = *moved;
+      state_.vertices[v].size = size;
+      best = score;
+      improved = true;
+    }
+    if (best >= 1.0) break;
+  }
+  return improved;
+}
+
+int WorstFirst::run(int rounds, RunControl& control) {
+  const WorstScore objective(score_);
+  Swapper swapper(state_, objective);
+  std::vector<int> bad = bad_tets();
+  for (int round = 0; round < rounds && !bad.empty(); ++round) {
+    bool any = false;
+    int polls = 0;
+    for (int t : bad) {
+      if (++polls % 64 == 0) control.check();
+      // Earlier changes may have mended it, or put another tetrahedron into its slot: both are told by its score.
+      if (!state_.complex.tet(t).alive() || score_(t) >= 1.0) continue;
+      if (swapper.improve(t)) {
+        any = true;
+        continue;
+      }
+      const std::array<int, 4> vertices = state_.complex.tet(t).vertex;
+      for (int v : vertices) {
+        any |= improve_vertex(v);
+        if (score_(t) >= 1.0) break;
+      }
+    }
+    bad = bad_tets();
+    if (!any) break;
+  }
+  return static_cast<int>(bad.size());
+}
+
+}  // namespace fgmesh

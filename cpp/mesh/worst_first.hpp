@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "core/run_control.hpp"
+#include "mesh/tet_score.hpp"
+
+namespace fgmesh {
+
+/// Local improvement of the tetrahedra that miss a goal, worst first: swaps of their edges and faces, then moves of their
+/// vertices, each kept only if the worst score around it rises. Frozen vertices stay in place.
+class WorstFirst {
+ public:
+  WorstFirst(MeshState& state, const TetScore& score) : state_(state), score_(score) {}
+
+  /// Goes over all tetrahedra that score below 1, at most `rounds` times. Returns how many are left.
+  int run(int rounds, RunControl& control);
+
+  /// Looks for a better place of one vertex. Returns whether its star's worst score rose.
+  bool improve_vertex(int v);
+
+  /// The tetrahedra that score below `least`, worst first.
+  std::vector<int> bad_tets(double least = 1.0) const;
+
+ private:
+  Vec3 random_direction();
+  double star_score(int v, const Vertex& moved, double stop_below) const;
+
+  MeshState& state_;
+  const TetScore& score_;
+  std::vector<int> star_;
+  std::uint32_t random_ = 12345;
+};
+
+}  // namespace fgmesh

@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The flow of the command line, and its exit statuses."""
+import contextlib
+import os
+import sys
+from pathlib import Path
+
+from freecad.fgmesh.cli import interrupts
+
+OK, FAULT, USAGE, GEOMETRY, THRESHOLD, STOPPED = range(6)
+
+
+def main(argv=None):
+    """Run `fgmesh` with `argv` (default: the process's arguments) and give its exit status."""
+    try:
+        interrupts.install()
+        return _main(sys.argv[1:] if argv is None else argv)
+    except interrupts.Interrupted as interrupt:
+        return _fail(STOPPED, f"stopped: interrupted by {interrupt}")
+    except MemoryError:
+        return _fail(STOPPED, "stopped: out of memory; a larger threshold or deviation needs less")
+    except ImportError as error:
+        return _fail(FAULT, str(error))
+    except Exception as error:
+        if "FGMESH_DEBUG" in os.environ:
+            raise
+        text = f"{type(error).__name__}: {error}".splitlines()[0]
+        return _fail(
+            FAULT, f"internal error: {text} (set FGMESH_DEBUG=1 for the place, and please report it)"
+        )
+
+
+def _main(argv):
+    # Signals are caught before these are loaded, which takes a good part of a second.
+    from freecad.fgmesh import core
+    from freecad.fgmesh.cli import arguments
+    from freecad.fgmesh.io import OutputError
+
+    sys.stdout.reconfigure(errors="backslashreplace")
+    parsed = arguments.build_parser(core.MeshingOptions()).parse_args(arguments.joined_values(argv))
+    try:
+        return _mesh(parsed)
+    except (core.InvalidInput, OutputError) as error:
+        return _fail(USAGE, str(error))
+    except core.GeometryError as error:
+        return _fail(GEOMETRY, str(error))
+    except core.Cancelled as error:
+        return _fail(STOPPED, f"stopped: {error}")
+
+
+def _mesh(parsed):
+    from freecad.fgmesh.cli import material_input, outputs, progress, run, summary
+
+    _refuse_unavailable(parsed)
+    outputs.check(parsed)
+    options = _options(parsed)
+    material = material_input.read_material(parsed)
+    display = progress.make_progress(parsed.quiet)
+    # As a str, a path with a line break in it would be taken for the file's content.
+    part = Path(parsed.part)
+    result = run.watched_run(part, material, options, display, parsed.time_limit, parsed.memory_limit)
+    outputs.write(result, parsed)
+    if not parsed.quiet:
+        _print(f"{summary.summary(result)}\n\nwritten to {parsed.output}")
+    if not parsed.quiet or result.status != "ok":
+        for message in result.messages:
+            _say(message)
+    if result.status == "ok":
+        return OK
+    return _fail(THRESHOLD, summary.shortfall(result))
+
+
+def _refuse_unavailable(parsed):
+    from freecad.fgmesh.core import InvalidInput
+
+    for name, used in (
+        ("--reference", parsed.reference),
+        ("--table", parsed.table),
+        ("--order 2", parsed.order == 2),
+        ("--anisotropy other than 1", parsed.anisotropy not in (None, 1.0)),
+    ):
+        if used:
+            raise InvalidInput(f"{name} is not available yet: leave it out")
+
+
+def _options(parsed):
+    from freecad.fgmesh.cli.arguments import OPTION_FIELDS
+    from freecad.fgmesh.core import MeshingOptions
+
+    given = {name: getattr(parsed, name) for name in OPTION_FIELDS if getattr(parsed, name) is not None}
+    options = MeshingOptions(**given)
+    options.validate()
+    return options
+
+
+def _print(text):
+    try:
+        print(text, flush=True)
+    except OSError:
+        # The reader (head, say) has left, but the mesh is written. Python would complain again at exit.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def _say(text):
+    with contextlib.suppress(OSError):
+        print(f"fgmesh: {text}", file=sys.stderr, flush=True)
+
+
+def _fail(status, text):
+    _say(text)
+    return status

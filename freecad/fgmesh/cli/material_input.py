@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The material that a command line tells: options, a JSON file, or both."""
+import json
+import math
+
+from freecad.fgmesh import core
+from freecad.fgmesh.cli.arguments import shortened
+
+LARGEST_FILE = 2 * 1024 * 1024
+"""Bytes. A formula has at most some thousand characters: a larger file is no material."""
+
+KEYS = ("fractions", "parameters", "origin", "axis")
+
+
+def read_material(arguments):
+    """The Material of the parsed `arguments`. Raises core.InvalidInput, FormulaError included."""
+    values = material_values(arguments)
+    fractions = values["fractions"]
+    rotation = core.frame_rotation(values.get("axis", (0.0, 0.0, 1.0)))
+    for formula in fractions:
+        _check_text(formula)
+    try:
+        return core.Material(fractions, values["parameters"], values.get("origin", (0.0, 0.0, 0.0)), rotation)
+    except core.FormulaError as error:
+        raise core.InvalidInput(f"{error}\n{with_caret(fractions[0], error.position)}") from error
+
+
+def material_values(arguments):
+    """The material's plain values: fractions, parameters and, where given, origin and axis."""
+    values = (
+        read_material_file(arguments.material) if arguments.material else {"fractions": arguments.fraction}
+    )
+    if arguments.material and arguments.fraction:
+        raise core.InvalidInput("--fraction and --material both tell the formula: give one of them")
+    if not values["fractions"]:
+        raise core.InvalidInput("no material: give --fraction FORMULA or --material FILE.json")
+    given = {}
+    for name, value in arguments.param:
+        if name in given:
+            raise core.InvalidInput(f"--param {shortened(name)} is given twice")
+        given[name] = value
+    values["parameters"] = {**values.get("parameters", {}), **given}
+    for key in ("origin", "axis"):
+        if getattr(arguments, key) is not None:
+            values[key] = getattr(arguments, key)
+    return values
+
+
+def read_material_file(path):
+    """The checked content of a material file. Raises core.InvalidInput."""
+    try:
+        with open(path, "rb") as file:
+            content = file.read(LARGEST_FILE + 1)
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or error
+        raise core.InvalidInput(f"cannot read the material file {path!r}: {reason}") from None
+    try:
+        if len(content) > LARGEST_FILE:
+            raise ValueError(f"it is larger than {LARGEST_FILE // 1024**2} MB")
+        return _checked(_parsed(content))
+    except (ValueError, RecursionError, OverflowError) as error:
+        reason = "it is nested too deeply" if isinstance(error, RecursionError) else error
+        raise core.InvalidInput(f"material file {path!r}: {reason}") from None
+
+
+def _parsed(content):
+    def constant(name):
+        raise ValueError(f"{name} is no number")
+
+    def without_doubles(pairs):
+        values = {}
+        for key, value in pairs:
+            if key in values:
+                raise ValueError(f"{shortened(key)} stands there twice")
+            values[key] = value
+        return values
+
+    return json.loads(content, parse_constant=constant, object_pairs_hook=without_doubles)
+
+
+def _checked(values):
+    if not isinstance(values, dict) or "fractions" not in values:
+        raise ValueError('it must be an object with the key "fractions"')
+    for key in values:
+        if key not in KEYS:
+            raise ValueError(f"the key {shortened(key)} is unknown; known are {', '.join(KEYS)}")
+    fractions, parameters = values["fractions"], values.get("parameters", {})
+    if not isinstance(fractions, list) or not all(isinstance(formula, str) for formula in fractions):
+        raise ValueError('"fractions" must be a list of texts')
+    if not isinstance(parameters, dict):
+        raise ValueError('"parameters" must be an object of numbers')
+    checked = {
+        "fractions": fractions,
+        "parameters": {name: _finite(value, name) for name, value in parameters.items()},
+    }
+    for key in ("origin", "axis"):
+        if key in values:
+            if not isinstance(values[key], list) or len(values[key]) != 3:
+                raise ValueError(f'"{key}" must be a list of three numbers')
+            checked[key] = tuple(_finite(value, key) for value in values[key])
+    return checked
+
+
+def _finite(value, name):
+    if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(float(value)):
+        raise ValueError(f"the value of {shortened(name)} is no finite number")
+    return float(value)
+
+
+def _check_text(formula):
+    try:
+        formula.encode("utf-8")
+    except UnicodeEncodeError as error:
+        raise core.InvalidInput(
+            f"the formula holds bytes that are no UTF-8 text, at character {error.start + 1}"
+        ) from None
+
+
+def with_caret(formula, position, width=72):
+    """Two lines: the formula (its part around the byte offset `position`), and a caret under that place."""
+    place = len(formula.encode("utf-8")[:position].decode("utf-8", "ignore"))
+    start = max(0, min(place - width // 2, len(formula) - width))
+    shown = "".join(c if c.isprintable() else "?" for c in formula[start : start + width])
+    before = "..." if start else ""
+    after = "..." if start + width < len(formula) else ""
+    return f"  {before}{shown}{after}\n  {' ' * (len(before) + place - start)}^"

@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Meshing from a document and back into it."""
+from freecad.fgmesh import core
+from freecad.fgmesh.fem.fem_mesh import to_fem_mesh
+from freecad.fgmesh.model import fingerprint, graded_solid, mesh_object
+from freecad.fgmesh.model.options import options_of
+from freecad.fgmesh.model.transaction import transaction
+
+
+def generate(mesh, control=None):
+    """Meshes the solid of `mesh`, an object that make_mesh() made, and stores mesh and figures in it.
+
+    Blocks until the mesh is there; `control`, a core.RunControl, lets another thread watch and cancel. What
+    the document says counts: expressions that wait for a recompute are computed first. One undo step. Returns the
+    core.MeshingResult, for those who want its arrays.
+
+    Raises core.InvalidInput, core.GeometryError or core.Cancelled, and leaves the mesh as it was.
+    """
+    if not mesh_object.is_mesh(mesh):
+        raise core.InvalidInput(
+            f"{getattr(mesh, 'Label', mesh)} is no mesh of FGMesh: make one with make_mesh()"
+        )
+    mesh_object.revive(mesh)
+    solid = _ready_solid(mesh)
+    taken = fingerprint.take(mesh)
+    result = core.generate_mesh(
+        fingerprint.brep_text(solid.Shape),
+        graded_solid.material_of(solid),
+        options_of(mesh),
+        control=control or core.RunControl(),
+    )
+    report, fem_mesh = core.report(result), to_fem_mesh(result)
+    with transaction(mesh.Document, "Generate graded mesh"):
+        mesh_object.store(mesh, fem_mesh, report, result.fraction.tolist(), taken)
+    return result
+
+
+def _ready_solid(mesh):
+    solid = mesh.Shape
+    if solid is None:
+        raise core.InvalidInput(f"{mesh.Label} has lost its solid: set its Shape to a graded solid")
+    if any("Touched" in thing.State for thing in [solid, *solid.OutListRecursive]):
+        solid.recompute(True)
+    if not solid.isValid():
+        raise core.GeometryError(f"{solid.Label} cannot be computed: repair it in FreeCAD first")
+    if solid.Shape.isNull() or not solid.Shape.Solids:
+        raise core.GeometryError(f"{solid.Label} has no solid to mesh: make a solid of it first")
+    return solid

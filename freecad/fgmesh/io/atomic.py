@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Whole files or none: what is written appears under its name only once all of it is on the disk."""
+import contextlib
+import os
+import stat
+import tempfile
+
+
+class OutputError(OSError):
+    """An output file cannot be written; the message names it and the cure."""
+
+
+def check_writable(path):
+    """Raise OutputError where `path` cannot become an output file, before any work is spent on it."""
+    path = os.fspath(path)
+    if "\0" in path:
+        raise OutputError(f"the file name {path!r} holds a NUL character")
+    target = os.path.realpath(path)
+    folder = os.path.dirname(target)
+    if os.path.isdir(target):
+        raise OutputError(f"{path!r} is a folder: name a file in it")
+    if os.path.exists(target) and not stat.S_ISREG(os.stat(target).st_mode):
+        raise OutputError(f"{path!r} is no regular file and cannot be replaced: name another file")
+    if not os.path.isdir(folder):
+        raise OutputError(f"the folder of {path!r} does not exist: make it first")
+    if not os.access(folder, os.W_OK | os.X_OK):
+        raise OutputError(f"the folder of {path!r} is not writable: choose another one")
+
+
+@contextlib.contextmanager
+def replaced_together(*paths, before_replacing=None):
+    """Give one temporary path for each of `paths`; on leaving without an error they replace `paths`.
+
+    Each temporary file lies in the folder of its target, reaches the disk (fsync) before the first replacement,
+    and is removed where anything fails: `paths` are then as they were. A symbolic link is followed, an
+    existing file's permissions are kept. `before_replacing()` is called when all is written. Raises OutputError for any failure of the file system.
+    """
+    for path in paths:
+        check_writable(path)
+    targets = [os.path.realpath(path) for path in paths]
+    temporary = []
+    try:
+        for target in targets:
+            temporary.append(_make_beside(target))
+        yield list(temporary)
+        for name in temporary:
+            _flush(name)
+        if before_replacing:
+            before_replacing()
+        for name, target in zip(temporary, targets):
+            os.replace(name, target)
+        for folder in {os.path.dirname(target) for target in targets}:
+            _flush(folder)
+    except OutputError:
+        raise
+    except OSError as error:
+        names = " and ".join(repr(os.fspath(path)) for path in paths)
+        raise OutputError(f"cannot write {names}: {error.strerror or error}") from error
+    finally:
+        for name in temporary:
+            with contextlib.suppress(FileNotFoundError):
+                os.unlink(name)
+
+
+def _make_beside(target):
+    folder, name = os.path.split(target)
+    # Writers tell formats by the extension, and file names are limited to 255 bytes.
+    handle, temporary = tempfile.mkstemp(prefix=".fgmesh-", suffix=os.path.splitext(name)[1], dir=folder)
+    try:
+        os.fchmod(handle, _permissions(target))
+    finally:
+        os.close(handle)
+    return temporary
+
+
+def _permissions(target):
+    try:
+        return stat.S_IMODE(os.stat(target).st_mode)
+    except FileNotFoundError:
+        umask = os.umask(0)
+        os.umask(umask)
+        return 0o666 & ~umask
+
+
+def _flush(path):
+    handle = os.open(path, os.O_RDONLY)
+    try:
+        os.fsync(handle)
+    finally:
+        os.close(handle)

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""I-DEAS universal files (.unv), which meshio does not write. Read by Salome and FreeCAD.
+
+Datasets (https://www.ceas3.uc.edu/sdrluff): 2411 nodes, 2412 elements, 2467 groups. No dataset 164 (units):
+readers disagree on the sense of its length factor, and without it all take the numbers, mm, as they stand.
+"""
+import numpy as np
+
+from freecad.fgmesh.io.groups import members, node_groups
+
+TRIANGLE, TETRAHEDRON = 41, 111  # plane stress linear triangle, solid linear tetrahedron
+NODE, ELEMENT = 7, 8  # type codes of group entries
+
+
+def write_unv(result, path):
+    """Write tetrahedra numbered from 1, then the triangles; groups SolidN (tetrahedra), FaceN (triangles) and
+    FaceN_Nodes (points, numbered from 1)."""
+    tets, triangles = np.asarray(result.tets), np.asarray(result.triangles)
+    with open(path, "w", encoding="ascii") as file:
+        _dataset(file, 2411, _nodes(np.asarray(result.points)))
+        elements = [*_elements(1, TETRAHEDRON, tets), *_elements(len(tets) + 1, TRIANGLE, triangles)]
+        _dataset(file, 2412, elements)
+        groups = [(name, ELEMENT, chosen + 1) for name, chosen in members("Solid", result.tet_solids)]
+        groups += [
+            (name, ELEMENT, chosen + len(tets) + 1) for name, chosen in members("Face", result.triangle_faces)
+        ]
+        groups += [(f"{name}_Nodes", NODE, nodes + 1) for name, nodes in node_groups(result)]
+        _dataset(
+            file, 2467, (line for number, group in enumerate(groups, 1) for line in _group(number, *group))
+        )
+
+
+def _dataset(file, number, lines):
+    file.write(f"    -1\n{number:6d}\n")
+    file.writelines(f"{line}\n" for line in lines)
+    file.write("    -1\n")
+
+
+def _nodes(points):
+    for number, point in enumerate(points.tolist(), 1):
+        yield f"{number:10d}{1:10d}{1:10d}{11:10d}"
+        # Fortran's D exponent is the rule of this format; E is what today's readers all take.
+        yield "".join(f"{coordinate:25.16E}" for coordinate in point)
+
+
+def _elements(first, kind, cells):
+    for number, nodes in enumerate((cells + 1).tolist(), first):
+        yield f"{number:10d}{kind:10d}{1:10d}{1:10d}{7:10d}{len(nodes):10d}"
+        yield "".join(f"{node:10d}" for node in nodes)
+
+
+def _group(number, name, kind, entries):
+    yield f"{number:10d}" + f"{0:10d}" * 6 + f"{len(entries):10d}"
+    yield name
+    fields = [f"{kind:10d}{entry:10d}{0:10d}{0:10d}" for entry in entries.tolist()]
+    for i in range(0, len(fields), 2):
+        yield "".join(fields[i : i + 2])

@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tells whether a mesh still belongs to its solid, material and options.
+
+A fingerprint is a small dictionary, kept in the document as JSON, of all that the mesh was made from. Numbers
+are kept as they are, so that a later comparison can say which of them changed.
+"""
+import hashlib
+import math
+
+import FreeCAD
+
+from freecad.fgmesh.model import graded_solid
+from freecad.fgmesh.model.options import option_values
+
+_SAVED_DIGITS = 1e-12  # numbers come back from a saved document with other last digits
+_SHAPE_DIGITS = 7  # of the part's size: far more than a mesh resolves, far fewer than OpenCASCADE computes
+
+
+def brep_text(shape):
+    """BREP text of `shape` without the triangles that looking at it may have left there: they would give
+    another mesh for the same solid. FaceN keep their numbers."""
+    return shape.cleaned().exportBrepToString().encode()
+
+
+def take(mesh):
+    """The fingerprint of what generate() would use for `mesh` at this moment."""
+    solid = mesh.Shape
+    if solid is None:
+        return {"shape": None, "options": option_values(mesh)}
+    return {
+        "shape": _shape_hash(solid.Shape),
+        "placement": _numbers(solid.Placement),
+        "fractions": list(getattr(solid, "FGMFractions", [])),
+        "parameters": graded_solid.parameters_of(solid),
+        "frame": _numbers(getattr(solid, "FGMFrame", FreeCAD.Placement())),
+        "options": option_values(mesh),
+    }
+
+
+def changes(before, now):
+    """What differs between two fingerprints, as a list of short texts: empty where the mesh is up to date."""
+    if now["shape"] is None:
+        return ["the solid is gone"]
+    found = []
+    if before["shape"] != now["shape"]:
+        found.append("the solid has another shape")
+    if not _same(before["placement"], now["placement"]):
+        found.append("the solid was moved")
+    if before["fractions"] != now["fractions"]:
+        found.append("the material has another formula")
+    if not _same(before["frame"], now["frame"]):
+        found.append("the material's frame was moved")
+    found += _changed_values(before["parameters"], now["parameters"], graded_solid.PARAMETER_PREFIX)
+    found += _changed_values(before["options"], now["options"], "")
+    return found
+
+
+def _changed_values(before, now, prefix):
+    # A name on one side only belongs to another version of this workbench, or to a parameter that comes and
+    # goes with its formula, which is compared by itself.
+    return [
+        f"{prefix}{name} was {_show(before[name])}, is {_show(now[name])}"
+        for name in sorted(before.keys() & now.keys())
+        if not _equal(before[name], now[name])
+    ]
+
+
+def _equal(before, now):
+    if isinstance(before, float):
+        return math.isclose(before, now, rel_tol=_SAVED_DIGITS)
+    return before == now
+
+
+def _show(value):
+    return f"{value:.6g}" if isinstance(value, float) else str(value)
+
+
+def _shape_hash(shape):
+    """Hash of the sizes and centres of all faces and edges, in their order, in the solid's own coordinates.
+
+    A hash of the BREP text would tell more than is true: computed again after reopening, the same solid has
+    other tolerances, other flags, and circles that start elsewhere.
+    """
+    if shape.isNull() or not shape.Faces:
+        return ""
+    local = shape.copy(False)
+    local.Placement = FreeCAD.Placement()
+    size = math.sqrt(local.Area)
+    figures = [(face.Area / size**2, *(face.CenterOfMass / size)) for face in local.Faces]
+    figures += [
+        (edge.Length / size, *(edge.CenterOfMass / size)) for edge in local.Edges if not edge.Degenerated
+    ]
+    # + 0.0 turns -0.0 into 0.0
+    rounded = [
+        [round(figure, _SHAPE_DIGITS) + 0.0 for figure in row] for row in [(math.log(size),), *figures]
+    ]
+    return hashlib.sha256(repr(rounded).encode()).hexdigest()
+
+
+def _numbers(placement):
+    return {"base": list(placement.Base), "rotation": list(placement.Rotation.Q)}
+
+
+def _same(before, now):
+    return all(
+        math.dist(before[part], now[part])
+        <= _SAVED_DIGITS * max(math.hypot(*before[part]), math.hypot(*now[part]))
+        for part in ("base", "rotation")
+    )

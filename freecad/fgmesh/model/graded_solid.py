@@ -1,0 +1,160 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The material of a solid: properties of group FGM on the solid itself, so that they are saved, copied and
+driven by expressions with it."""
+import FreeCAD
+
+from freecad.fgmesh import core
+from freecad.fgmesh.model.transaction import transaction
+
+GROUP = "FGM"
+PARAMETER_PREFIX = "FGM_"
+
+_PROPERTIES = (
+    (
+        "FGMConstituents",
+        "App::PropertyStringList",
+        "The constituents: names of material cards or of material objects of this document",
+    ),
+    (
+        "FGMFractions",
+        "App::PropertyStringList",
+        "Volume fraction of each constituent but the last, as a formula of x y z r theta d (mm, radians) "
+        "and of the parameters FGM_<name>",
+    ),
+    (
+        "FGMFrame",
+        "App::PropertyPlacement",
+        "The frame in which the formula's coordinates are measured, in the solid's own coordinates",
+    ),
+    (
+        "FGMReferences",
+        "App::PropertyLinkSubList",
+        "Faces, edges, vertices or solids to which the formula measures distances",
+    ),
+)
+
+
+def attach_material(solid, fractions, parameters=None, constituents=(), frame=None, references=()):
+    """Gives `solid` a graded material, in place of the one that it may have.
+
+    solid         any document object with a solid shape: Part features, PartDesign bodies, ...
+    fractions     the formula of the first of two constituents, or a list with that one formula
+    parameters    {name: number}; each becomes the property FGM_<name>, which takes expressions
+    constituents  two names of material cards or of material objects of the document, or such objects; may
+                  be left out until an analysis needs them
+    frame         FreeCAD.Placement of the material's frame in the solid's own coordinates, mm
+    references    not available yet
+
+    Raises core.InvalidInput (core.FormulaError for the formula), and leaves the solid as it was. One undo
+    step. Returns the solid.
+    """
+    fractions = [fractions] if isinstance(fractions, str) else list(fractions)
+    parameters = {name: plain_number(value) for name, value in (parameters or {}).items()}
+    frame = FreeCAD.Placement() if frame is None else frame
+    names = [_constituent_name(constituent, solid) for constituent in constituents]
+    _check(solid, fractions, parameters, frame, names, references)
+
+    with transaction(solid.Document, "Attach graded material"):
+        _add_missing_properties(solid)
+        solid.FGMConstituents = names
+        solid.FGMFractions = fractions
+        solid.FGMFrame = frame
+        _set_parameters(solid, parameters)
+    return solid
+
+
+def has_material(solid):
+    """True where attach_material() or a user has given `solid` a formula."""
+    return bool(getattr(solid, "FGMFractions", None))
+
+
+def parameters_of(solid):
+    """{name: value} of the parameters FGM_<name>, as they are now."""
+    return {
+        name[len(PARAMETER_PREFIX) :]: plain_number(getattr(solid, name))
+        for name in solid.PropertiesList
+        if name.startswith(PARAMETER_PREFIX)
+    }
+
+
+def frame_in_document(solid):
+    """Placement of the material's frame in the coordinates of `solid.Shape`, which carries the solid's own
+    placement but not its containers'."""
+    return solid.Placement.multiply(solid.FGMFrame)
+
+
+def material_of(solid):
+    """The core.Material of `solid`, in the coordinates of `solid.Shape`. Raises core.InvalidInput."""
+    if not has_material(solid):
+        raise core.InvalidInput(f"{solid.Label} has no graded material: give it one with attach_material()")
+    return _material(solid.FGMFractions, parameters_of(solid), frame_in_document(solid))
+
+
+def plain_number(value):
+    """`value`, a number or a FreeCAD quantity, as a float in FreeCAD's units (mm)."""
+    try:
+        return float(getattr(value, "Value", value))
+    except (TypeError, ValueError):
+        raise core.InvalidInput(f"a parameter must be a number, not {value!r}") from None
+
+
+def _material(fractions, parameters, frame):
+    matrix = frame.Rotation.toMatrix().A
+    rotation = [matrix[0:3], matrix[4:7], matrix[8:11]]
+    return core.Material(list(fractions), parameters, tuple(frame.Base), rotation)
+
+
+def _check(solid, fractions, parameters, frame, names, references):
+    shape = getattr(solid, "Shape", None)
+    if not hasattr(shape, "Solids"):
+        label = getattr(solid, "Label", repr(solid))
+        raise core.InvalidInput(f"{label} has no shape: attach the material to a solid or a body")
+    # A feature that was never computed has a null shape; whether it becomes a solid shows when it is meshed.
+    if not shape.isNull() and not shape.Solids:
+        raise core.InvalidInput(
+            f"{solid.Label} is a {shape.ShapeType}, not a solid: make a solid of it first"
+        )
+    if not all(isinstance(formula, str) for formula in fractions):
+        raise core.InvalidInput(f"fractions must be formulas, as text: not {fractions!r}")
+    if references:
+        raise core.InvalidInput("references (d1, s1, ...) are not available yet")
+    if not isinstance(frame, FreeCAD.Placement):
+        raise core.InvalidInput(f"the material's frame must be a FreeCAD.Placement, not {frame!r}")
+    if names and len(names) != len(fractions) + 1:
+        raise core.InvalidInput(
+            f"{len(names)} constituents need {len(names) - 1} formulas, not {len(fractions)}: "
+            "the last constituent is what the others leave"
+        )
+    _material(fractions, parameters, frame)
+
+
+def _constituent_name(constituent, solid):
+    if isinstance(constituent, str) and constituent:
+        return constituent
+    if getattr(constituent, "Document", None) == solid.Document and hasattr(constituent, "Name"):
+        return constituent.Name
+    raise core.InvalidInput(
+        f"{constituent!r} is no constituent: give the name of a material card, or a material object of the "
+        f"document {solid.Document.Label}"
+    )
+
+
+def _add_missing_properties(solid):
+    for name, kind, tip in _PROPERTIES:
+        if name not in solid.PropertiesList:
+            solid.addProperty(kind, name, GROUP, tip)
+
+
+def _set_parameters(solid, parameters):
+    for name in parameters_of(solid).keys() - parameters.keys():
+        solid.setExpression(PARAMETER_PREFIX + name, None)
+        solid.removeProperty(PARAMETER_PREFIX + name)
+    for name, value in parameters.items():
+        property_name = PARAMETER_PREFIX + name
+        if property_name in solid.PropertiesList:
+            # An expression left in place would bring the old value back at the next recompute.
+            solid.setExpression(property_name, None)
+        else:
+            tip = f"The parameter {name} of the material's formula"
+            solid.addProperty("App::PropertyFloat", property_name, GROUP, tip)
+        setattr(solid, property_name, value)

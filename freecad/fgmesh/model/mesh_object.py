@@ -1,0 +1,180 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The mesh object: a Fem mesh of FreeCAD's that follows a graded solid and carries options and figures.
+
+It is never meshed in execute(), so that a recompute stays quick: execute() only compares fingerprints and
+says in `Status` whether the mesh is out of date.
+"""
+import json
+import time
+
+import Fem  # noqa: F401  registers the Fem types with the document
+
+from freecad.fgmesh import core
+from freecad.fgmesh.model import fingerprint, presentation
+from freecad.fgmesh.model.graded_solid import has_material
+from freecad.fgmesh.model.kept_meshes import KeptMeshes
+from freecad.fgmesh.model.options import OPTIONS, add_missing_options
+from freecad.fgmesh.model.transaction import transaction
+
+NOT_MESHED = "not meshed yet"
+_NATIVE_TYPE = "Fem::FemMeshShapeBaseObjectPython"  # since FreeCAD 1.0, with a Shape link of its own
+_PLAIN_TYPE = "Fem::FemMeshObjectPython"
+_OPTION_NAMES = {option.property for option in OPTIONS}
+
+# Prop_Output: a result does not touch the object that shows it. The rest follows from _lock_results().
+_OUTPUT = 8
+_RESULTS = (
+    ("Status", "App::PropertyString", "ok, or what is wrong with the mesh, or why it is out of date"),
+    ("PointCount", "App::PropertyInteger", "Points of the mesh"),
+    ("FacetCount", "App::PropertyInteger", "Boundary and interface triangles"),
+    ("TetCount", "App::PropertyInteger", "Tetrahedra"),
+    ("VariationMin", "App::PropertyFloat", "Smallest variation of composition inside a tetrahedron"),
+    ("VariationMax", "App::PropertyFloat", "Largest variation of composition inside a tetrahedron"),
+    ("VariationMean", "App::PropertyFloat", "Mean variation of composition inside the tetrahedra"),
+    ("DihedralMin", "App::PropertyFloat", "Smallest dihedral angle, degrees"),
+    ("DihedralMax", "App::PropertyFloat", "Largest dihedral angle, degrees"),
+    ("Report", "App::PropertyString", "Every figure of every stage, as JSON"),
+    ("Fractions", "App::PropertyFloatList", "Volume fraction of the first constituent at node 1, 2, ..."),
+    ("Fingerprint", "App::PropertyString", "What the mesh was made from, for telling when it is out of date"),
+)
+_HIDDEN = {"Fractions", "Fingerprint"}
+
+
+class MeshObject:
+    """The proxy. It has no state that is saved: everything is in the object's properties."""
+
+    def __init__(self, mesh):
+        _add_missing_properties(mesh)
+        mesh.Proxy = self
+        presentation.show(mesh)
+
+    def execute(self, mesh):
+        update_status(mesh)
+
+    def onChanged(self, mesh, name):
+        if "Restore" in mesh.State:
+            return
+        if name in _OPTION_NAMES:
+            update_status(mesh)
+        elif name == "Fingerprint":  # set by store(), or by undo and redo
+            self.kept.show(mesh)
+
+    @property
+    def kept(self):
+        # A proxy that comes with a document is made without __init__.
+        return self.__dict__.setdefault("_kept", KeptMeshes())
+
+    def onDocumentRestored(self, mesh):
+        _add_missing_properties(mesh)
+        presentation.show(mesh)
+
+    # FreeCAD 0.20 calls the first pair, 1.x the second.
+    def __getstate__(self):
+        return None
+
+    def __setstate__(self, state):
+        pass
+
+    dumps = __getstate__
+    loads = __setstate__
+
+
+def make_mesh(document, solid, name="FGMesh"):
+    """A new mesh object of `solid`, still empty, with the default options. generate() fills it.
+
+    It stands in the App::Part that holds the solid, if any, so that both are seen in the same place. Raises
+    core.InvalidInput where the solid has no graded material. One undo step.
+    """
+    if getattr(solid, "Document", None) != document:
+        raise core.InvalidInput("the mesh and its solid must be in the same document")
+    if not has_material(solid):
+        raise core.InvalidInput(f"{solid.Label} has no graded material: give it one with attach_material()")
+    with transaction(document, "Make graded mesh"):
+        mesh = document.addObject(_mesh_type(document), name)
+        if "Shape" not in mesh.PropertiesList:
+            mesh.addProperty("App::PropertyLinkGlobal", "Shape", "Meshing", "The graded solid")
+        mesh.Shape = solid
+        MeshObject(mesh)
+        part = _part_of(solid)
+        if part is not None:
+            part.addObject(mesh)
+        update_status(mesh)
+    return mesh
+
+
+def is_mesh(thing):
+    """True for an object that make_mesh() made, even where its proxy was lost in a FreeCAD without FGMesh."""
+    return "Fingerprint" in getattr(thing, "PropertiesList", ())
+
+
+def revive(mesh):
+    """Gives back the proxy to an object that was saved by a FreeCAD without FGMesh."""
+    if not isinstance(mesh.Proxy, MeshObject):
+        MeshObject(mesh)
+
+
+def update_status(mesh):
+    """Sets `Status` from the stored report and from what has changed since."""
+    status = _status(mesh)
+    if mesh.Status != status:
+        mesh.Status = status
+
+
+def store(mesh, fem_mesh, report, fractions, taken):
+    """Puts a finished mesh and its figures into the object.
+
+    fem_mesh   Fem.FemMesh
+    report     dict, as core.report() gives it
+    fractions  of the first constituent, for each node
+    taken      the fingerprint from before meshing
+    """
+    last = report["stages"][-1]
+    made_from = json.dumps({**taken, "number": time.time_ns()})
+    if mesh.Fingerprint not in mesh.Proxy.kept:
+        mesh.Proxy.kept.keep(mesh.Fingerprint, mesh.FemMesh.copy())
+    mesh.Proxy.kept.keep(made_from, fem_mesh)
+    mesh.PointCount, mesh.FacetCount, mesh.TetCount = last["points"], last["facets"], last["tets"]
+    variation, dihedral = last["variation"], last["dihedral"]
+    mesh.VariationMin, mesh.VariationMax = variation["min"], variation["max"]
+    mesh.VariationMean = variation["mean"]
+    mesh.DihedralMin, mesh.DihedralMax = dihedral["min"], dihedral["max"]
+    mesh.Report = json.dumps(report)
+    mesh.Fractions = fractions
+    mesh.Fingerprint = made_from  # brings the Fem mesh with it
+    update_status(mesh)
+
+
+def _status(mesh):
+    if not mesh.Fingerprint:
+        return NOT_MESHED
+    if mesh.FemMesh.VolumeCount != mesh.TetCount:
+        return "out of date: the mesh cannot be brought back by undo; mesh again"
+    changed = fingerprint.changes(json.loads(mesh.Fingerprint), fingerprint.take(mesh))
+    if changed:
+        return "out of date: " + "; ".join(changed)
+    report = json.loads(mesh.Report)
+    if report["status"] == "threshold_not_met":
+        above = report["stages"][-1]["variation"]["above_threshold"]
+        return f"threshold_not_met: {above} of {mesh.TetCount} tetrahedra, up to {mesh.VariationMax:.3g}"
+    return report["status"]
+
+
+def _add_missing_properties(mesh):
+    # Results first: changing an option looks at Status.
+    for name, kind, tip in _RESULTS:
+        if name not in mesh.PropertiesList:
+            mesh.addProperty(kind, name, "Results", tip, _OUTPUT)
+        mesh.setEditorMode(name, ["ReadOnly", "Hidden"] if name in _HIDDEN else ["ReadOnly"])
+    add_missing_options(mesh)
+
+
+def _mesh_type(document):
+    return _NATIVE_TYPE if _NATIVE_TYPE in document.supportedTypes() else _PLAIN_TYPE
+
+
+def _part_of(solid):
+    """The App::Part around `solid` or around its body, or None."""
+    container = solid.getParentGeoFeatureGroup()
+    while container is not None and not container.isDerivedFrom("App::Part"):
+        container = container.getParentGeoFeatureGroup()
+    return container

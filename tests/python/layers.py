@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The layers of the project (CONTRIBUTING.md draws them), and what breaks them in a source tree."""
+import ast
+import re
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]', re.MULTILINE)
+
+CPP_LAYERS = {
+    "core": set(),
+    "material": {"core"},
+    "brep": {"core"},
+    "domain": {"core"},
+    "quality": {"core"},
+    "mesh": {"core", "domain", "quality"},
+    "pipeline": {"core", "brep", "domain", "mesh", "quality"},
+    "bindings": {"core", "material", "brep", "domain", "mesh", "quality", "pipeline"},
+}
+"""Folder of cpp/: the other folders that it may include."""
+
+STAGES = {"initial", "material_refinement", "geometry_refinement"}
+"""Files of cpp/mesh/ that never include each other."""
+
+LIBRARIES = {
+    "OCCT": (re.compile(r"\.hxx$"), {"brep"}),
+    "CGAL": (re.compile(r"^CGAL/"), {"domain", "mesh"}),
+    "pybind11": (re.compile(r"^pybind11/"), {"bindings"}),
+}
+"""Library: its headers, and the folders of cpp/ that may include them."""
+
+MODEL = {"core", "model"}
+PYTHON_LAYERS = {
+    "core": {"_core"},
+    "io": {"core"},
+    "cli": {"core", "io"},
+    "__main__": {"cli"},
+    "pictures": {"core", "io"},
+    "model": {"core"},
+    "fem": {"core", "io", "model"},
+    "worker": {"core", "io", "model", "fem"},
+    "view": MODEL | {"fem"},
+    "panels": MODEL | {"fem", "view", "worker"},
+    "commands": MODEL | {"fem", "view", "panels", "worker"},
+    "init_gui": MODEL | {"fem", "view", "panels", "commands", "worker"},
+    "__init__": MODEL | {"fem", "io", "pictures"},
+}
+"""Module or folder of freecad/fgmesh/: the others that it may import."""
+
+WITHOUT_FREECAD = {"core", "io", "cli", "__main__", "pictures", "__init__"}
+WITH_GUI = {"view", "panels", "commands", "init_gui"}
+FREECAD = {
+    "FreeCAD",
+    "Part",
+    "Fem",
+    "Mesh",
+    "ObjectsFem",
+    "femtools",
+    "feminout",
+    "femmesh",
+    "PartDesign",
+    "Import",
+}
+GUI = re.compile(r"^(FreeCADGui|FemGui|PartGui|PySide\d?|PyQt\d|shiboken\d?|pivy)$")
+
+
+def cpp_violations(root):
+    """Messages, one for each include below root/cpp that breaks the layers."""
+    for path in sorted((root / "cpp").rglob("*.[ch]pp")):
+        place = path.relative_to(root / "cpp")
+        folder = place.parts[0]
+        if folder not in CPP_LAYERS:
+            yield f"cpp/{place}: the folder {folder} has no place in the layers"
+            continue
+        for mark, header in INCLUDE.findall(path.read_text(encoding="utf-8")):
+            reason = _forbidden_own(place, header) if mark == '"' else _forbidden_library(folder, header)
+            if reason:
+                yield f"cpp/{place} includes {header}: {reason}"
+
+
+def _forbidden_own(place, header):
+    folder, _, name = header.partition("/")
+    if not name or folder not in CPP_LAYERS:
+        return "own headers are named by their folder"
+    if folder != place.parts[0] and folder not in CPP_LAYERS[place.parts[0]]:
+        return (
+            f"{place.parts[0]} may include {', '.join(sorted(CPP_LAYERS[place.parts[0]])) or 'nothing'} only"
+        )
+    stages = {place.stem, name.rsplit(".", 1)[0]} & STAGES
+    if place.parts[0] == folder == "mesh" and len(stages) == 2:
+        return "stages never include each other"
+    return None
+
+
+def _forbidden_library(folder, header):
+    for library, (pattern, folders) in LIBRARIES.items():
+        if pattern.search(header) and folder not in folders:
+            return f"{library} stays in {', '.join(sorted(folders))}"
+    return None
+
+
+def python_violations(root):
+    """Messages, one for each import below root/freecad/fgmesh that breaks the layers."""
+    package = root / "freecad" / "fgmesh"
+    for path in sorted(package.rglob("*.py")):
+        place = path.relative_to(package)
+        layer = place.parts[0].removesuffix(".py")
+        if layer not in PYTHON_LAYERS:
+            yield f"freecad/fgmesh/{place}: {layer} has no place in the layers"
+            continue
+        for module in sorted(set(imported_modules(path.read_text(encoding="utf-8")))):
+            reason = _forbidden_import(layer, module)
+            if reason:
+                yield f"freecad/fgmesh/{place} imports {module}: {reason}"
+
+
+def imported_modules(source):
+    """Names of all modules that `source` imports anywhere, those named in texts for importlib included."""
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            name = "." * node.level + (node.module or "")
+            is_package = name == "freecad.fgmesh"
+            yield from (f"{name}.{alias.name}" for alias in node.names) if is_package else [name]
+        elif isinstance(node, ast.Constant) and isinstance(node.value, str):
+            if re.fullmatch(r"freecad\.fgmesh(\.\w+)+", node.value):
+                yield node.value
+
+
+def _forbidden_import(layer, module):
+    top = module.split(".")[0]
+    if module.startswith("."):
+        return "imports are absolute"
+    if GUI.match(top) and layer not in WITH_GUI:
+        return "only view, panels, commands and init_gui know the GUI"
+    if top in FREECAD and layer in WITHOUT_FREECAD:
+        return f"{layer} works without FreeCAD"
+    if not module.startswith("freecad.fgmesh."):
+        return None
+    imported = module.split(".")[2]
+    if imported != layer and imported not in PYTHON_LAYERS[layer]:
+        return f"{layer} may import {', '.join(sorted(PYTHON_LAYERS[layer]))} only"
+    return None

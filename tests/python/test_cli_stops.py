@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Signals and limits: exit status 5 within 2 seconds, and nothing half-written."""
+import signal
+import subprocess
+import threading
+import time
+
+import pytest
+
+# Far more tetrahedra than any machine makes in these tests' time.
+ENDLESS = ("--fraction", "x/10", "--threshold", "0.002", "--memory-limit", "6000")
+LARGEST_DELAY = 2.0
+
+
+@pytest.fixture
+def started(launcher, shapes, tmp_path):
+    """Start a run in a folder with an old output; gives the process and a function that waits for a text."""
+    processes = []
+
+    def start(part, *arguments):
+        (tmp_path / "out.vtu").write_text("precious")
+        command = [launcher, shapes / part, *arguments, "-o", "out.vtu", "--report", "out.json"]
+        process = subprocess.Popen(
+            command, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+        )
+        processes.append(process)
+        lines = []
+        reader = threading.Thread(target=lambda: lines.extend(iter(process.stderr.readline, "")), daemon=True)
+        reader.start()
+
+        def wait_for(text, seconds=60):
+            end = time.monotonic() + seconds
+            while not any(text in line for line in lines):
+                assert time.monotonic() < end and process.poll() is None, "".join(lines)
+                time.sleep(0.02)
+
+        def errors():
+            reader.join(5)
+            return "".join(lines)
+
+        return process, wait_for, errors
+
+    yield start
+    for process in processes:
+        process.kill()
+        process.wait()
+
+
+def assert_untouched(folder):
+    assert [path.name for path in folder.iterdir()] == ["out.vtu"]
+    assert (folder / "out.vtu").read_text() == "precious"
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_signal_during_material_refinement(started, tmp_path, number):
+    process, wait_for, errors = started("box.brep", *ENDLESS)
+    wait_for("material")
+    time.sleep(1)
+    process.send_signal(number)
+    begin = time.monotonic()
+    assert process.wait(30) == 5
+    assert time.monotonic() - begin < LARGEST_DELAY
+    assert "stopped" in errors() and number.name in errors() and "Traceback" not in errors()
+    assert_untouched(tmp_path)
+
+
+def test_signal_during_geometry_refinement(started, tmp_path):
+    deviation = [
+        "--fraction",
+        "x/40 + 0.5",
+        "--threshold",
+        "0.5",
+        "--deviation",
+        "0.00002",
+        "--min-size",
+        "0.00001",
+    ]
+    process, wait_for, errors = started("ball.brep", *deviation, "--memory-limit", "6000")
+    wait_for("geometry")
+    time.sleep(0.5)
+    process.send_signal(signal.SIGINT)
+    begin = time.monotonic()
+    assert process.wait(30) == 5, errors()
+    assert time.monotonic() - begin < LARGEST_DELAY
+    assert_untouched(tmp_path)
+
+
+def test_signal_at_any_early_moment(started, tmp_path):
+    for delay in (0.15, 0.25, 0.35, 0.5):
+        process, _, errors = started("box.brep", *ENDLESS)
+        time.sleep(delay)
+        process.send_signal(signal.SIGTERM)
+        # Before the command has said its first word, the system's own answer to the signal is right as well.
+        assert process.wait(10) in (5, -signal.SIGTERM)
+        assert "Traceback" not in errors()
+        assert_untouched(tmp_path)
+
+
+def test_two_signals(started, tmp_path):
+    process, wait_for, errors = started("box.brep", *ENDLESS)
+    wait_for("material")
+    process.send_signal(signal.SIGINT)
+    time.sleep(0.05)
+    process.send_signal(signal.SIGINT)
+    assert process.wait(LARGEST_DELAY + 1) == 5
+    assert "Traceback" not in errors()
+    assert_untouched(tmp_path)
+
+
+def test_time_limit(started, tmp_path):
+    begin = time.monotonic()
+    process, _, errors = started("box.brep", *ENDLESS, "--time-limit", "2")
+    assert process.wait(30) == 5
+    assert 2 <= time.monotonic() - begin < 2 + LARGEST_DELAY + 1  # a second to start the interpreter
+    assert "time limit" in errors()
+    assert_untouched(tmp_path)
+
+
+def test_memory_limit(started, tmp_path):
+    process, _, errors = started("box.brep", *ENDLESS[:-1], "300")
+    assert process.wait(120) == 5
+    assert "memory limit" in errors()
+    assert_untouched(tmp_path)
+
+
+def test_limits_that_suffice_do_not_disturb(started):
+    limits = ["--time-limit", "100", "--memory-limit", "8000"]
+    process, _, errors = started("box.brep", "--fraction", "x/10", "--threshold", "0.3", *limits)
+    assert process.wait(60) == 0, errors()

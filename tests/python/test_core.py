@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The Python interface without FreeCAD."""
+import json
+import math
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from freecad.fgmesh import core
+
+
+@pytest.fixture
+def material():
+    return core.Material(["x/length"], parameters={"length": 10})
+
+
+@pytest.fixture
+def options():
+    return core.MeshingOptions(material_threshold=0.3)
+
+
+def test_a_shape_may_be_a_path_bytes_or_text(shapes, material, options):
+    path = shapes / "box.brep"
+    content = path.read_bytes()
+    counts = {
+        len(core.generate_mesh(shape, material, options).tets)
+        for shape in (path, str(path), content, bytearray(content), content.decode())
+    }
+    assert len(counts) == 1
+
+
+def test_result(shapes, material, options):
+    result = core.generate_mesh(shapes / "box.brep", material, options)
+    n, m, t = len(result.points), len(result.tets), len(result.triangles)
+    assert result.points.shape == (n, 3) and result.points.dtype == np.float64
+    assert result.tets.shape == (m, 4) and result.tets.dtype == np.int32
+    assert result.tet_solids.shape == result.variation.shape == result.dihedral_min.shape == (m,)
+    assert result.triangles.shape == (t, 3) and result.triangle_faces.shape == (t,)
+    assert result.carriers.shape == (n, 2) and result.fraction.shape == (n,)
+    assert len(result.edges) == len(result.edge_edges) > 0
+    assert result.status == "ok" and len(result.above_threshold) == 0
+    assert {"points", "tets", "report", "stages"} <= set(dir(result))
+    with pytest.raises(AttributeError):
+        result.no_such_thing
+
+
+def test_carriers_tell_where_points_lie(shapes, material, options):
+    result = core.generate_mesh(shapes / "box.brep", material, options)
+    on_planes = ((result.points == 0) | (result.points == 10)).sum(axis=1)
+    assert np.array_equal(3 - result.carriers[:, 0], on_planes)
+
+
+def test_report_follows_the_result(shapes, material, options):
+    result = core.generate_mesh(shapes / "box.brep", material, options)
+    report = json.loads(json.dumps(result.report(), allow_nan=False))
+    assert report == core.report(result)
+    last = report["stages"][-1]
+    assert last["tets"] == len(result.tets) and last["facets"] == len(result.triangles)
+    edges = np.linspace(*(last["variation"]["histogram"][key] for key in ("low", "high")), num=2)
+    assert edges[0] <= result.variation.min() and result.variation.max() <= edges[1] + 1e-12
+    assert sum(last["variation"]["histogram"]["counts"]) == len(result.tets)
+
+
+def test_report_holds_the_threshold_of_the_run(shapes, material, options):
+    result = core.generate_mesh(shapes / "box.brep", material, options)
+    options.material_threshold = 0.9
+    assert result.report()["threshold"] == 0.3
+
+
+def test_cancel_from_another_thread(shapes, material):
+    control = core.RunControl()
+    threading.Timer(1.0, control.cancel).start()
+    begin = time.monotonic()
+    with pytest.raises(core.Cancelled):
+        core.generate_mesh(
+            shapes / "box.brep", material, core.MeshingOptions(material_threshold=0.002), control
+        )
+    assert 0.9 < time.monotonic() - begin < 3
+
+
+@pytest.mark.parametrize("shape", ["no/such/file.step", Path("none.brep"), "nul\0.step", "", 5, None])
+def test_shape_that_cannot_be_read(shape, material):
+    with pytest.raises(core.InvalidInput):
+        core.generate_mesh(shape, material)
+
+
+def test_errors_are_one_family():
+    for error in (core.InvalidInput, core.FormulaError, core.GeometryError, core.Cancelled):
+        assert issubclass(error, core.Error)
+    assert issubclass(core.FormulaError, core.InvalidInput) and issubclass(core.InvalidInput, ValueError)
+
+
+@pytest.mark.parametrize(
+    "axis", [(0, 0, 1), (0, 0, -3), (1, 0, 0), (1, 1e-9, 0), (0, 5, 0), (1, 2, 3), (1e-200, 0, 1e-200)]
+)
+def test_frame_rotation(axis):
+    rotation = np.array(core.frame_rotation(axis))
+    assert np.allclose(rotation @ rotation.T, np.eye(3)) and np.linalg.det(rotation) == pytest.approx(1)
+    assert np.allclose(np.cross(rotation[:, 2], np.array(axis) / max(map(abs, axis))), 0)
+    assert rotation[:, 2] @ axis > 0
+
+
+def test_frame_rotation_of_the_z_axis_is_none():
+    assert np.array_equal(core.frame_rotation((0, 0, 2.5)), np.eye(3))
+
+
+@pytest.mark.parametrize("axis", [(0, 0, 0), (math.nan, 0, 1), (math.inf, 0, 0), (1, 2)])
+def test_axis_without_direction(axis):
+    with pytest.raises(core.InvalidInput, match="axis"):
+        core.frame_rotation(axis)
+
+
+def test_neither_freecad_nor_qt_nor_meshio_is_loaded(build_dir):
+    code = (
+        "import sys; sys.path.insert(0, sys.argv[1]); from freecad.fgmesh import core, io; import freecad.fgmesh.cli.main\n"
+        "print([name for name in ('FreeCAD', 'PySide2', 'PySide6', 'meshio', 'vtkmodules') if name in sys.modules])"
+    )
+    command = [sys.executable, "-P", "-c", code, str(build_dir / "Mod" / "FGMesh")]
+    assert subprocess.run(command, capture_output=True, text=True, check=True).stdout.strip() == "[]"
+
+
+def test_missing_extension_tells_how_to_build(source_dir):
+    code = "import sys; sys.path.insert(0, sys.argv[1]); from freecad.fgmesh import core"
+    command = [sys.executable, "-P", "-c", code, str(source_dir)]
+    done = subprocess.run(command, capture_output=True, text=True)
+    assert done.returncode == 1 and "ImportError" in done.stderr and "./scripts/build" in done.stderr

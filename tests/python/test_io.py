@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Written meshes, read back by other programs: meshio, gmsh, FreeCAD, CalculiX."""
+import subprocess
+
+import meshio
+import numpy as np
+import pytest
+
+from freecad.fgmesh import io
+
+
+def volumes(points, tets):
+    a, b, c = (points[tets[:, i]] - points[tets[:, 0]] for i in (1, 2, 3))
+    return np.einsum("ij,ij->i", np.cross(a, b), c) / 6
+
+
+def test_the_sample_is_a_cube(cube):
+    assert volumes(cube.points, cube.tets).min() > 0
+    assert volumes(cube.points, cube.tets).sum() == pytest.approx(8)
+    a, b, c = (cube.points[cube.triangles[:, i]] for i in range(3))
+    assert np.einsum("ij,ij->", np.cross(b - a, c - a), a) / 6 == pytest.approx(
+        8
+    )  # outward: divergence theorem
+
+
+def test_vtu(cube, tmp_path):
+    io.write_mesh(cube, tmp_path / "cube.vtu")
+    mesh = meshio.read(tmp_path / "cube.vtu")
+    assert np.array_equal(mesh.points, cube.points)
+    assert [block.type for block in mesh.cells] == ["tetra", "triangle"]
+    assert np.array_equal(mesh.cells[0].data, cube.tets)
+    assert np.array_equal(mesh.cells[1].data, cube.triangles)
+    assert np.allclose(mesh.point_data["fraction_1"], cube.points[:, 0] / 2)
+    assert np.allclose(mesh.point_data["fraction_1"] + mesh.point_data["fraction_2"], 1)
+    tets, triangles = mesh.cell_data["solid"]
+    assert (tets == 1).all() and (triangles == 0).all()
+    tets, triangles = mesh.cell_data["face"]
+    assert (tets == 0).all() and sorted(set(triangles)) == [1, 2, 3, 4, 5, 6]
+    # Every tetrahedron spans one small cube along x: half of the range of x/2.
+    assert np.allclose(mesh.cell_data["variation"][0], 0.5)
+    assert np.allclose(mesh.cell_data["dihedral_min"][0], 45)
+
+
+def test_triangles_carry_the_values_of_their_tetrahedra(cube, tmp_path):
+    cube.variation = np.arange(48.0)
+    io.write_mesh(cube, tmp_path / "cube.vtu")
+    behind = meshio.read(tmp_path / "cube.vtu").cell_data["variation"][1].astype(int)
+    for triangle, tet in zip(cube.triangles, cube.tets[behind]):
+        assert set(triangle) < set(tet)
+
+
+def test_vtu_opens_in_vtk(cube, tmp_path):
+    vtk = pytest.importorskip("vtkmodules.vtkIOXML")
+    io.write_mesh(cube, tmp_path / "cube.vtu")
+    reader = vtk.vtkXMLUnstructuredGridReader()
+    reader.SetFileName(str(tmp_path / "cube.vtu"))
+    reader.Update()
+    assert reader.GetOutput().GetNumberOfPoints() == 27
+    assert reader.GetOutput().GetNumberOfCells() == 48 + 48
+
+
+def test_gmsh_groups(cube, tmp_path):
+    io.write_mesh(cube, tmp_path / "cube.msh")
+    # Old gmsh format, written by gmsh itself from what it understood.
+    command = ["gmsh", "cube.msh", "-save", "-format", "msh22", "-o", "again.msh"]
+    answer = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=60)
+    assert answer.returncode == 0 and "Error" not in answer.stdout + answer.stderr
+    mesh = meshio.read(tmp_path / "again.msh")
+    assert set(mesh.field_data) == {"Solid1", *(f"Face{n}" for n in range(1, 7))}
+    cells = mesh.cells_dict
+    assert len(cells["tetra"]) == 48 and len(cells["triangle"]) == 48
+    assert volumes(mesh.points, cells["tetra"]).sum() == pytest.approx(8)
+    physical = np.concatenate(
+        [tags for block, tags in zip(mesh.cells, mesh.cell_data["gmsh:physical"]) if block.type == "triangle"]
+    )
+    on_face_2 = mesh.points[cells["triangle"][physical == mesh.field_data["Face2"][0]]]
+    assert len(on_face_2) == 8 and (on_face_2[:, :, 0] == 2).all()
+
+
+def test_gmsh_keeps_fields(cube, tmp_path):
+    io.write_mesh(cube, tmp_path / "cube.msh")
+    mesh = meshio.read(tmp_path / "cube.msh")
+    assert np.allclose(mesh.point_data["fraction_2"], 1 - mesh.points[:, 0] / 2)
+    assert {"solid", "face", "variation", "dihedral_min"} <= set(mesh.cell_data)
+
+
+def test_unv_in_freecad(cube, tmp_path):
+    import FreeCAD  # noqa: F401
+    import Fem
+
+    io.write_mesh(cube, tmp_path / "cube.unv")
+    mesh = Fem.read(str(tmp_path / "cube.unv"))
+    assert (mesh.NodeCount, mesh.VolumeCount, mesh.FaceCount) == (27, 48, 48)
+    points = np.array([tuple(mesh.Nodes[number]) for number in range(1, 28)])
+    assert np.allclose(points, cube.points, atol=1e-14)
+    # FreeCAD holds tetrahedra in the opposite sense and turns those of universal files on reading.
+    tets = np.array([mesh.getElementNodes(number) for number in mesh.Volumes]) - 1
+    assert volumes(points, tets).max() < 0 and volumes(points, tets).sum() == pytest.approx(-8)
+    groups = {
+        mesh.getGroupName(g): (mesh.getGroupElementType(g), mesh.getGroupElements(g)) for g in mesh.Groups
+    }
+    assert set(groups) == {"Solid1", *(f"Face{n}{tail}" for n in range(1, 7) for tail in ("", "_Nodes"))}
+    assert groups["Solid1"][0] == "Volume" and set(groups["Solid1"][1]) == set(mesh.Volumes)
+    kind, triangles = groups["Face4"]
+    corners = np.array([mesh.getElementNodes(number) for number in triangles]) - 1
+    assert kind == "Face" and len(triangles) == 8 and (points[corners][:, :, 1] == 2).all()
+    kind, nodes = groups["Face4_Nodes"]
+    assert kind == "Node" and sorted(nodes) == list(np.flatnonzero(points[:, 1] == 2) + 1)
+
+
+def test_unv_of_coordinates_of_any_size(cube, tmp_path):
+    import FreeCAD  # noqa: F401
+    import Fem
+
+    cube.points = cube.points * [1e-9, 1e7, 1] - [0, 0, 123456.789012345]
+    io.write_mesh(cube, tmp_path / "cube.unv")
+    nodes = Fem.read(str(tmp_path / "cube.unv")).Nodes
+    assert np.allclose([tuple(nodes[number]) for number in range(1, 28)], cube.points, rtol=1e-15, atol=0)
+
+
+def test_inp_in_calculix(cube, tmp_path):
+    """A bar under tension: u_x = s x / E, u_y = -nu s y / E, which linear tetrahedra give exactly."""
+    io.write_mesh(cube, tmp_path / "cube.inp")
+    (tmp_path / "bar.inp").write_text(
+        "*INCLUDE, INPUT=cube.inp\n*MATERIAL, NAME=Steel\n*ELASTIC\n1000., 0.25\n"
+        "*SOLID SECTION, ELSET=Solid1, MATERIAL=Steel\n"
+        "*BOUNDARY\nFace1, 1\nFace3, 2\nFace5, 3\n"
+        "*STEP\n*STATIC\n*DLOAD\nFace2, P, -100.\n*NODE PRINT, NSET=Face2\nU\n*END STEP\n"
+    )
+    answer = subprocess.run(["ccx", "bar"], cwd=tmp_path, capture_output=True, text=True, timeout=60)
+    assert "Job finished" in answer.stdout, answer.stdout[-2000:]
+    rows = [line.split() for line in (tmp_path / "bar.dat").read_text().splitlines()]
+    moved = {
+        int(row[0]): [float(word) for word in row[1:]] for row in rows if len(row) == 4 and row[0].isdigit()
+    }
+    assert sorted(moved) == list(np.flatnonzero(cube.points[:, 0] == 2) + 1)
+    for number, (u, v, w) in moved.items():
+        _, y, z = cube.points[number - 1]
+        assert u == pytest.approx(0.2, rel=1e-5)
+        assert v == pytest.approx(-0.025 * y, abs=1e-7) and w == pytest.approx(-0.025 * z, abs=1e-7)
+
+
+def test_inp_in_meshio(cube, tmp_path):
+    io.write_mesh(cube, tmp_path / "cube.inp")
+    mesh = meshio.read(tmp_path / "cube.inp")
+    assert np.array_equal(mesh.points, cube.points)
+    assert np.array_equal(mesh.cells_dict["tetra"], cube.tets) and len(mesh.cells) == 1
+
+
+def test_inp_refuses_a_triangle_inside_no_tetrahedron(cube, tmp_path):
+    cube.triangles[0] = (0, 13, 26)
+    with pytest.raises(ValueError, match="no tetrahedron"):
+        io.write_mesh(cube, tmp_path / "cube.inp")
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("name", ["mesh.stl", "mesh", "vtu", "mesh.vtu.gz"])
+def test_unknown_extension(cube, tmp_path, name):
+    with pytest.raises(io.OutputError, match="vtu"):
+        io.write_mesh(cube, tmp_path / name)
+    assert list(tmp_path.iterdir()) == []

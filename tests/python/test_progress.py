@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The progress display, and the text of results, without a run."""
+import io
+import itertools
+from types import SimpleNamespace
+
+import pytest
+
+from freecad.fgmesh.cli import material_input, progress, summary
+
+
+class Terminal(io.StringIO):
+    def isatty(self):
+        return True
+
+
+def state(stage, fraction=0.0, tets=0):
+    return SimpleNamespace(stage=stage, fraction=fraction, tets=tets)
+
+
+@pytest.mark.parametrize("fraction", [-0.5, 0.0, 0.5, 1.0, 7.0])
+@pytest.mark.parametrize("columns", [10, 40, 79, 300])
+def test_bar_fits_its_line(fraction, columns):
+    line = progress.bar_line(state("material", fraction, 123_456_789), 1234.5, columns)
+    assert len(line) <= columns and "\n" not in line
+
+
+def test_bar_grows():
+    filled = [progress.bar_line(state("material", f / 10), 0, 79).count("#") for f in range(11)]
+    assert filled[0] == 0 and filled == sorted(set(filled))
+    assert "." not in progress.bar_line(state("material", 1.0), 0, 79)
+
+
+def test_terminal_is_left_clean():
+    terminal = Terminal()
+    display = progress.make_progress(quiet=False, stream=terminal)
+    display.show(state("material", 0.5, 10))
+    display.close(state("material", 1.0, 10))
+    assert "\n" not in terminal.getvalue() and terminal.getvalue().endswith("\r\x1b[K")
+
+
+def test_log_has_each_stage_once():
+    log = io.StringIO()
+    display = progress.make_progress(quiet=False, stream=log)
+    for stage, fraction in itertools.product(("", "initial", "material"), (0.1, 0.2, 0.9)):
+        display.show(state(stage, fraction))
+    display.close(state("geometry"))
+    assert [line.split(", ")[1].split()[0] for line in log.getvalue().splitlines()] == [
+        "initial",
+        "material",
+        "geometry",
+    ]
+
+
+def test_quiet_display_says_nothing():
+    log = Terminal()
+    display = progress.make_progress(quiet=True, stream=log)
+    display.show(state("material", 0.5))
+    display.close()
+    assert log.getvalue() == ""
+
+
+@pytest.mark.parametrize(
+    "formula, position, marked",
+    [
+        ("x + foo", 4, "f"),
+        ("\N{GREEK SMALL LETTER ALPHA}*d$", 4, "$"),  # the position counts bytes
+        ("x" * 3000 + "$" + "y" * 3000, 3000, "$"),
+        ("x" * 3000 + "$", 3000, "$"),
+        ("$" + "x" * 3000, 0, "$"),
+        ("\tx\n$", 3, "$"),
+    ],
+)
+def test_caret_stands_under_the_offender(formula, position, marked):
+    shown, caret = material_input.with_caret(formula, position).splitlines()
+    assert shown[caret.index("^")] == marked
+    assert len(shown) <= 80
+
+
+@pytest.mark.parametrize("formula", ["", "x +"])
+def test_caret_after_the_end(formula):
+    shown, caret = material_input.with_caret(formula, len(formula)).split("\n")
+    assert shown == "  " + formula and caret == " " * (2 + len(formula)) + "^"
+
+
+def test_table_is_aligned():
+    lines = summary.table([("a", "bb", "c"), ("long", "1", "22")])
+    assert lines == ["a     bb   c", "long   1  22"]
+
+
+def test_shortfall_tells_how_many_how_much_and_where(cube):
+    cube.material_threshold, cube.status = 0.4, "threshold_not_met"
+    cube.above_threshold = [7]
+    cube.variation[7] = 0.75
+    centre = ", ".join(f"{c:.4g}" for c in cube.points[cube.tets[7]].mean(axis=0))
+    text = summary.shortfall(cube)
+    assert "1 of 48" in text and "0.75" in text and f"({centre})" in text
