@@ -33,7 +33,7 @@ def build():
 
     mesh = fgmesh.make_mesh(document, cylinder)
     mesh.MaterialThreshold = 0.1
-    mesh.SurfaceDeviation = 0.02  # mm: keeps the volume within 0.2 %
+    mesh.SurfaceDeviation = 0.02  # mm: even where all facets have it the volume is right within 0.2 %
     return mesh
 
 

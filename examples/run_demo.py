@@ -5,7 +5,7 @@
     /usr/bin/python3 examples/run_demo.py BUILD_DIR PART FORMULA     a STEP or BREP file, graded by a formula
 
 FORMULA is the fraction of the first constituent, over x y z r theta d (mm, radians). BUILD_DIR/demo receives
-for each case the document, the mesh, the report and pictures of every stage, and the terminal a table of figures.
+for each case the document, the mesh, the report and pictures of every stage; a table of figures is printed.
 
 Exit status: 0 done; 1 not done; 2 wrong usage, formula or file; 3 shape refused; 4 done, but the threshold is
 not met.

@@ -170,7 +170,8 @@ void refine_material(MeshState& state, const MaterialRefinementOptions& options,
   dump(state, "start");
   smooth(3, 1.0);
   dump(state, "odt");
-  for (;;) {
+  for (int round = 0; round < 60; ++round) {
+    resolve_boundary(state, options.sizing.min_size, control);
     const int inserted = insert_steiner_points(state, growth_limit * threshold, options.sizing, options.most_tets, control);
     if (inserted == 0) break;
     smooth(growth_sweeps, 1.0);

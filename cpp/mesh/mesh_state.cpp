@@ -97,6 +97,19 @@ double chord_error(const Vertex& a, const Vertex& b) {
   return std::max(seen_from(a), seen_from(b));
 }
 
+double allowed_chord_error(const MeshState& state, const Vertex& a, const Vertex& b) {
+  constexpr double kPartOfSize = 0.15;
+  return std::min(state.chord_limit, kPartOfSize * std::min(a.size, b.size));
+}
+
+bool stays_positive(const MeshState& state, int v, const Vec3& place, const std::vector<int>& star) {
+  return std::all_of(star.begin(), star.end(), [&](int t) {
+    const std::array<int, 4>& index = state.complex.tet(t).vertex;
+    const auto at = [&](int i) -> const Vec3& { return index[i] == v ? place : state.position(index[i]); };
+    return is_positive(at(0), at(1), at(2), at(3));
+  });
+}
+
 bool faces_outward(const Vertex& a, const Vertex& b, const Vertex& c) {
   constexpr double kLeastCosine = 0.5;
   const Vec3 normal = area_vector(a.position, b.position, c.position);
@@ -124,7 +137,7 @@ bool keeps_surface(const MeshState& state, int v, const Vertex& moved, const std
         if (i == face || i == own) continue;
         const Vertex& end = state.vertices[tet.vertex[i]];
         const double error = chord_error(moved, end);
-        if (error > state.chord_limit && error > chord_error(old, end)) return false;
+        if (error > allowed_chord_error(state, old, end) && error > chord_error(old, end)) return false;
       }
     }
   }

@@ -35,8 +35,7 @@ class MeshState {
   TetComplex complex;
   std::vector<Vertex> vertices;
 
-  /// No move or swap may take a boundary facet or a crease edge farther than about this from the true boundary, mm
-  /// (those that are farther already may stay); see chord_error().
+  /// No edge of the boundary may be farther than about this from the true boundary, mm; see allowed_chord_error().
   double chord_limit = 0.0;
 
   double threshold() const { return threshold_; }
@@ -87,10 +86,17 @@ class MeshState {
 /// chord and tangent gives the sagitta.
 double chord_error(const Vertex& a, const Vertex& b);
 
+/// The chord error that moves and swaps may leave at the boundary edge (a, b), mm: MeshState::chord_limit, and less where the mesh is
+/// to be fine. Inner vertices would stray into the gap between a coarse facet and its true face otherwise.
+double allowed_chord_error(const MeshState& state, const Vertex& a, const Vertex& b);
+
+/// True where every tetrahedron of the star stays positively oriented with v at `place`.
+bool stays_positive(const MeshState& state, int v, const Vec3& place, const std::vector<int>& star);
+
 /// True where the facet (a, b, c), counter-clockwise seen from outside, faces the way of the true surface at its vertices.
 bool faces_outward(const Vertex& a, const Vertex& b, const Vertex& c);
 
-/// True where a boundary vertex may go to `moved` without taking an edge of the boundary beyond MeshState::chord_limit,
+/// True where a boundary vertex may go to `moved` without taking an edge of the boundary beyond allowed_chord_error(),
 /// or farther than it is, and without folding a facet over. `star` holds the tetrahedra at v.
 bool keeps_surface(const MeshState& state, int v, const Vertex& moved, const std::vector<int>& star);
 

@@ -114,7 +114,7 @@ bool Swapper::polygon_is_free() const {
 
 bool Swapper::surface_allows(int a, int b, int c, int d) const {
   const Vertex &va = state_.vertices[a], &vb = state_.vertices[b], &vc = state_.vertices[c], &vd = state_.vertices[d];
-  if (chord_error(vc, vd) > std::max(state_.chord_limit, chord_error(va, vb))) return false;
+  if (chord_error(vc, vd) > std::max(allowed_chord_error(state_, vc, vd), chord_error(va, vb))) return false;
   // Seen along a -> b the ring turns from c to d through the solid, so these look outward.
   return faces_outward(va, vc, vd) && faces_outward(vb, vd, vc);
 }

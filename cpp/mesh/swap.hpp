@@ -53,7 +53,7 @@ class WorstScore final : public SwapObjective {
 
 /// Swaps edges and faces of a mesh where that lowers an objective. Creases and labels stay; an edge inside a face of the
 /// boundary is swapped with the surface (2-2) where the new edge
-/// stays as close to the true face as MeshState::chord_limit asks.
+/// stays as close to the true face as allowed_chord_error() asks.
 class Swapper {
  public:
   Swapper(MeshState& state, const SwapObjective& objective) : state_(state), objective_(objective) {}

@@ -7,7 +7,7 @@
     result.points, result.tets, core.report(result)
 
 Lengths are mm, angles degrees, fractions dimensionless in [0, 1]. `Material`, `MeshingOptions`, `RunControl` and
-the exceptions are those of the C++ side; `help()` of each tells its fields.
+the exceptions are those of the C++ side; `help()` of each tells its fields. `versions()` tells what FGMesh was built with.
 
 Errors: every error raised on purpose is an `Error`: `InvalidInput` (an option, a file or a material that has no
 meaning; also a ValueError), `FormulaError` (an InvalidInput; `position` is the offset in the formula's text),
@@ -33,6 +33,8 @@ from freecad.fgmesh._core import (
     Material,
     MeshingOptions,
     RunControl,
+    caret_excerpt,
+    versions,
 )
 
 __all__ = [
@@ -45,10 +47,12 @@ __all__ = [
     "MeshingOptions",
     "MeshingResult",
     "RunControl",
+    "caret_excerpt",
     "frame_rotation",
     "generate_mesh",
     "read_shape",
     "report",
+    "versions",
 ]
 
 

@@ -23,7 +23,7 @@ def test_freecad_stays_a_namespace(source_dir):
 
 
 def test_every_cpp_folder_has_its_own_target(source_dir):
-    for folder in (path for path in (source_dir / "cpp").iterdir() if path.is_dir()):
+    for folder in {path.parent for path in (source_dir / "cpp").rglob("*.[ch]pp")}:
         assert (folder / "CMakeLists.txt").exists(), f"cpp/{folder.name} has no target"
 
 

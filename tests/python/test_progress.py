@@ -6,7 +6,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from freecad.fgmesh.cli import material_input, progress, summary
+from freecad.fgmesh.cli import progress, summary
 
 
 class Terminal(io.StringIO):
@@ -58,29 +58,6 @@ def test_quiet_display_says_nothing():
     display.show(state("material", 0.5))
     display.close()
     assert log.getvalue() == ""
-
-
-@pytest.mark.parametrize(
-    "formula, position, marked",
-    [
-        ("x + foo", 4, "f"),
-        ("\N{GREEK SMALL LETTER ALPHA}*d$", 4, "$"),  # the position counts bytes
-        ("x" * 3000 + "$" + "y" * 3000, 3000, "$"),
-        ("x" * 3000 + "$", 3000, "$"),
-        ("$" + "x" * 3000, 0, "$"),
-        ("\tx\n$", 3, "$"),
-    ],
-)
-def test_caret_stands_under_the_offender(formula, position, marked):
-    shown, caret = material_input.with_caret(formula, position).splitlines()
-    assert shown[caret.index("^")] == marked
-    assert len(shown) <= 80
-
-
-@pytest.mark.parametrize("formula", ["", "x +"])
-def test_caret_after_the_end(formula):
-    shown, caret = material_input.with_caret(formula, len(formula)).split("\n")
-    assert shown == "  " + formula and caret == " " * (2 + len(formula)) + "^"
 
 
 def test_table_is_aligned():

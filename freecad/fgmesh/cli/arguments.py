@@ -26,7 +26,7 @@ Unless the status is 0 or 4, nothing is written and existing files stay as they 
 """
 
 
-def build_parser(defaults):
+def build_parser(defaults, version):
     """The parser; `defaults` is a MeshingOptions whose values the help shows."""
     parser = argparse.ArgumentParser(
         prog="fgmesh",
@@ -35,6 +35,7 @@ def build_parser(defaults):
         formatter_class=argparse.RawDescriptionHelpFormatter,
         allow_abbrev=False,
     )
+    parser.add_argument("--version", action="version", version=f"fgmesh {version}")
     parser.add_argument("part", metavar="PART", help="STEP or BREP file of one or more solids")
     _add_material(parser.add_argument_group("material"))
     _add_mesh(parser.add_argument_group("mesh"), defaults)

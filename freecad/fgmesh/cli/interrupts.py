@@ -1,20 +1,27 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Ctrl-C and SIGTERM as one exception in the main thread."""
+"""Ctrl-C and SIGTERM: the process ends at once, and leaves nothing half-written.
+
+The handler raises no exception: one that surfaces in the middle of an import or of a callback is swallowed there.
+Nor does it wait for the run: its thread may be deep inside C++ and cannot be ended alone.
+"""
+import os
 import signal
 
 SIGNALS = (signal.SIGINT, signal.SIGTERM)
+STOPPED = 5
+"""The exit status that tells of it."""
 
-
-class Interrupted(BaseException):
-    """Someone asked to stop. No Exception, so that nothing on the way takes it for an error."""
+_cleanups = []
 
 
 def install():
-    """From now on a signal raises Interrupted in the main thread."""
+    """From now on a signal ends the process with exit status STOPPED."""
     for number in SIGNALS:
         # A shell's background job has SIGINT ignored on purpose.
         if signal.getsignal(number) is not signal.SIG_IGN:
-            signal.signal(number, _raise)
+            signal.signal(
+                number, lambda received, frame: leave(f"interrupted by {signal.Signals(received).name}")
+            )
 
 
 def ignore():
@@ -23,5 +30,19 @@ def ignore():
         signal.signal(number, signal.SIG_IGN)
 
 
-def _raise(number, frame):
-    raise Interrupted(signal.Signals(number).name)
+def before_leaving(cleanup):
+    """Have `cleanup()` called where the process ends early."""
+    _cleanups.append(cleanup)
+
+
+def leave(reason):
+    """End the process now, whatever its threads do, with exit status STOPPED."""
+    ignore()
+    for cleanup in _cleanups:
+        cleanup()
+    clear_line = "\r\x1b[K" if os.isatty(2) else ""
+    try:
+        # Not through sys.stderr: the signal may have come in the middle of its own work.
+        os.write(2, f"{clear_line}fgmesh: stopped: {reason}\n".encode())
+    finally:
+        os._exit(STOPPED)

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from freecad.fgmesh.cli import interrupts
 
-OK, FAULT, USAGE, GEOMETRY, THRESHOLD, STOPPED = range(6)
+OK, FAULT, USAGE, GEOMETRY, THRESHOLD, STOPPED = *range(5), interrupts.STOPPED
 
 
 def main(argv=None):
@@ -15,8 +15,6 @@ def main(argv=None):
     try:
         interrupts.install()
         return _main(sys.argv[1:] if argv is None else argv)
-    except interrupts.Interrupted as interrupt:
-        return _fail(STOPPED, f"stopped: interrupted by {interrupt}")
     except MemoryError:
         return _fail(STOPPED, "stopped: out of memory; a larger threshold or deviation needs less")
     except ImportError as error:
@@ -37,7 +35,9 @@ def _main(argv):
     from freecad.fgmesh.io import OutputError
 
     sys.stdout.reconfigure(errors="backslashreplace")
-    parsed = arguments.build_parser(core.MeshingOptions()).parse_args(arguments.joined_values(argv))
+    parsed = arguments.build_parser(core.MeshingOptions(), core.versions()["fgmesh"]).parse_args(
+        arguments.joined_values(argv)
+    )
     try:
         return _mesh(parsed)
     except (core.InvalidInput, OutputError) as error:

@@ -22,7 +22,8 @@ def read_material(arguments):
     try:
         return core.Material(fractions, values["parameters"], values.get("origin", (0.0, 0.0, 0.0)), rotation)
     except core.FormulaError as error:
-        raise core.InvalidInput(f"{error}\n{with_caret(fractions[0], error.position)}") from error
+        shown, caret = core.caret_excerpt(fractions[0], error.position).split("\n")
+        raise core.InvalidInput(f"{error}\n  {shown}\n  {caret}") from error
 
 
 def material_values(arguments):
@@ -114,13 +115,3 @@ def _check_text(formula):
         raise core.InvalidInput(
             f"the formula holds bytes that are no UTF-8 text, at character {error.start + 1}"
         ) from None
-
-
-def with_caret(formula, position, width=72):
-    """Two lines: the formula (its part around the byte offset `position`), and a caret under that place."""
-    place = len(formula.encode("utf-8")[:position].decode("utf-8", "ignore"))
-    start = max(0, min(place - width // 2, len(formula) - width))
-    shown = "".join(c if c.isprintable() else "?" for c in formula[start : start + width])
-    before = "..." if start else ""
-    after = "..." if start + width < len(formula) else ""
-    return f"  {before}{shown}{after}\n  {' ' * (len(before) + place - start)}^"

@@ -4,7 +4,7 @@ import os
 
 from freecad.fgmesh import io
 from freecad.fgmesh.cli import interrupts
-from freecad.fgmesh.io.atomic import check_writable
+from freecad.fgmesh.io.atomic import check_writable, remove_unfinished
 from freecad.fgmesh.io.mesh_file import WRITERS
 from freecad.fgmesh.io.report_file import write_report_text
 
@@ -25,9 +25,11 @@ def check(arguments):
 def write(result, arguments):
     """Write mesh and report; they replace their predecessors only when both are complete.
 
-    From then on signals are ignored: status 5 would tell that nothing is written.
+    An interrupt before that leaves nothing behind; after that signals are ignored, since its exit status would tell
+    that nothing is written.
     """
     outputs = _outputs(arguments)
+    interrupts.before_leaving(remove_unfinished)
     with io.replaced_together(*outputs, before_replacing=interrupts.ignore) as temporary:
         WRITERS[io.mesh_format(arguments.output)](result, temporary[0])
         if arguments.report:

@@ -12,8 +12,8 @@ def to_fem_mesh(result):
     """Fem.FemMesh of a core.MeshingResult.
 
     Point i becomes node i + 1, tetrahedron i becomes volume i + 1; the boundary triangles follow. Groups, N
-    being the number that FreeCAD gives the face or solid: `SolidN` (volumes), `FaceN` (triangles) and `FaceN_Nodes`
-    (all nodes on the face, those on its edges too).
+    being the number that FreeCAD gives the face or solid: `SolidN` (volumes), `FaceN` (triangles) and
+    `FaceN_Nodes` (all nodes on the face, those on its edges too).
     """
     mesh = Fem.FemMesh()
     for number, (x, y, z) in enumerate(result.points.tolist(), 1):

@@ -11,8 +11,8 @@ def generate(mesh, control=None):
     """Meshes the solid of `mesh`, an object that make_mesh() made, and stores mesh and figures in it.
 
     Blocks until the mesh is there; `control`, a core.RunControl, lets another thread watch and cancel. What
-    the document says counts: expressions that wait for a recompute are computed first. One undo step. Returns the
-    core.MeshingResult, for those who want its arrays.
+    the document says counts: expressions that wait for a recompute are computed first. One undo step. Returns
+    the core.MeshingResult, for those who want its arrays.
 
     Raises core.InvalidInput, core.GeometryError or core.Cancelled, and leaves the mesh as it was.
     """

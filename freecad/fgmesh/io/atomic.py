@@ -2,8 +2,8 @@
 """Whole files or none: what is written appears under its name only once all of it is on the disk."""
 import contextlib
 import os
+import secrets
 import stat
-import tempfile
 
 
 class OutputError(OSError):
@@ -38,10 +38,12 @@ def replaced_together(*paths, before_replacing=None):
     for path in paths:
         check_writable(path)
     targets = [os.path.realpath(path) for path in paths]
-    temporary = []
+    # Names come before files, so that an interrupt at any moment finds all there is to remove.
+    temporary = [_name_beside(target) for target in targets]
+    _unfinished.update(temporary)
     try:
-        for target in targets:
-            temporary.append(_make_beside(target))
+        for name, target in zip(temporary, targets):
+            _create(name, _permissions(target))
         yield list(temporary)
         for name in temporary:
             _flush(name)
@@ -57,20 +59,37 @@ def replaced_together(*paths, before_replacing=None):
         names = " and ".join(repr(os.fspath(path)) for path in paths)
         raise OutputError(f"cannot write {names}: {error.strerror or error}") from error
     finally:
-        for name in temporary:
-            with contextlib.suppress(FileNotFoundError):
-                os.unlink(name)
+        _remove(temporary)
+        _unfinished.difference_update(temporary)
 
 
-def _make_beside(target):
-    folder, name = os.path.split(target)
-    # Writers tell formats by the extension, and file names are limited to 255 bytes.
-    handle, temporary = tempfile.mkstemp(prefix=".fgmesh-", suffix=os.path.splitext(name)[1], dir=folder)
+def remove_unfinished():
+    """Remove the temporary files of all replacements under way: for a process that ends without unwinding."""
+    _remove(_unfinished)
+
+
+_unfinished = set()
+
+
+def _remove(names):
+    for name in names:
+        with contextlib.suppress(OSError):
+            os.unlink(name)
+
+
+def _name_beside(target):
+    # Not made from the target's name, which may have all the 255 bytes that a name may have.
+    return os.path.join(
+        os.path.dirname(target), f".fgmesh-{secrets.token_hex(8)}{os.path.splitext(target)[1]}"
+    )
+
+
+def _create(name, permissions):
+    handle = os.open(name, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
     try:
-        os.fchmod(handle, _permissions(target))
+        os.fchmod(handle, permissions)
     finally:
         os.close(handle)
-    return temporary
 
 
 def _permissions(target):

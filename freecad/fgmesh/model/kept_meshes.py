@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Lets undo and redo bring Fem meshes back, which FreeCAD by itself does not.
 
-FreeCAD's FemMesh property writes a new mesh into the place of the old one, so that its undo step holds the new
-one twice. Here the last few meshes of an object are kept in memory, by the fingerprint that was stored with
+FreeCAD's FemMesh property writes a new mesh into the place of the old one, so its undo step holds the new one
+twice. Here the last few meshes of an object are kept in memory, by the fingerprint that was stored with
 each: a property that undo does bring back.
 """
 import Fem

@@ -70,6 +70,22 @@ TEST(ProjectToEdge, SamplesHaveTheirParameters) {
   }
 }
 
+TEST(ProjectToEdge, NoSampleIsCloserThanTheFoot) {
+  const auto [model, boundary] = sampled(test::filleted_box());  // lines, and two quarters of a circle
+  const Vec3 centre(20, 15, 10);
+  for (const auto& curve : boundary.curves) {
+    for (int i = 0; i < 26; ++i) {
+      const Vec3 p = centre + 40.0 * Vec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 % 3 - 1);
+      const CurvePoint found = model.project_to_edge(curve.edge, p);
+      EXPECT_GE(found.t, curve.parameters.front() - 1e-9);
+      EXPECT_LE(found.t, curve.parameters.back() + 1e-9);
+      for (const int point : curve.points) {
+        EXPECT_LE((found.position - p).norm(), (boundary.points[point] - p).norm() + 1e-9);
+      }
+    }
+  }
+}
+
 TEST(ProjectToEdge, VertexPositionsAreTheCorners) {
   const auto [model, boundary] = sampled(test::box(10, 20, 30));
   for (const auto& corner : boundary.corners) {
