@@ -49,10 +49,10 @@ struct SampledBoundary {
   /// A B-Rep edge that mesh edges must follow: any edge but seams and degenerate ones. Edges between smoothly
   /// joined faces are kept too, as borders between labels.
   struct Curve {
-    int edge = 0;                  ///< EdgeN
-    std::vector<int> points;       ///< indices into `points`, in order; first == last where closed
+    int edge = 0;                    ///< EdgeN
+    std::vector<int> points;         ///< indices into `points`, in order; first == last where closed
     std::vector<double> parameters;  ///< parameter of each on the curve
-    std::vector<int> faces;        ///< FaceN of the faces that meet here
+    std::vector<int> faces;          ///< FaceN of the faces that meet here
   };
 
   struct Corner {
@@ -61,16 +61,16 @@ struct SampledBoundary {
   };
 
   std::vector<Vec3> points;
-  std::vector<std::array<int, 3>> triangles;  ///< counter-clockwise seen from outside the first solid
-  std::vector<int> triangle_face;             ///< FaceN
+  std::vector<std::array<int, 3>> triangles;        ///< counter-clockwise seen from outside the first solid
+  std::vector<int> triangle_face;                   ///< FaceN
   std::vector<std::array<int, 2>> triangle_solids;  ///< SolidN behind and before the triangle; 0: outside
   std::vector<Curve> curves;
   std::vector<Corner> corners;  ///< ends of the curves, and vertices where the surface is not smooth
 
   Box bounds;
-  double volume = 0.0;   ///< of all solids, exact (from the B-Rep), mm^3
+  double volume = 0.0;  ///< of all solids, exact (from the B-Rep), mm^3
   int solid_count = 0;
-  int face_count = 0;    ///< highest FaceN
+  int face_count = 0;  ///< highest FaceN
 };
 
 }  // namespace fgmesh

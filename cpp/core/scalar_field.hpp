@@ -16,8 +16,8 @@ class ScalarField {
   /// values[i] = f(points[i]); NaN where f is not defined. Never throws.
   virtual void evaluate(const Vec3* points, std::size_t count, double* values) const = 0;
 
-  /// As evaluate(), with the gradient (1/mm). Where f is finite the gradient has no NaN: at a point where it is
-  /// not unique (d at O) it is zero in the undefined part; where it is unbounded it may be infinite.
+  /// As evaluate(), with the gradient (1/mm). Where f is finite the gradient has no NaN: at a point where it
+  /// is not unique (d at O) it is zero in the undefined part; where it is unbounded it may be infinite.
   virtual void evaluate(const Vec3* points, std::size_t count, double* values, Vec3* gradients) const = 0;
 
   /// Certain bounds of f over a box: f lies within [low, high] wherever it is defined there.

@@ -17,14 +17,14 @@ struct Carrier {
 
 /// A finished mesh as plain arrays: what leaves the C++ side.
 struct TetMesh {
-  std::vector<Vec3> points;                           ///< mm
-  std::vector<Carrier> carriers;                      ///< of each point
-  std::vector<std::array<std::int32_t, 4>> tets;      ///< positively oriented (VTK order)
-  std::vector<std::int32_t> tet_solids;               ///< SolidN
+  std::vector<Vec3> points;                            ///< mm
+  std::vector<Carrier> carriers;                       ///< of each point
+  std::vector<std::array<std::int32_t, 4>> tets;       ///< positively oriented (VTK order)
+  std::vector<std::int32_t> tet_solids;                ///< SolidN
   std::vector<std::array<std::int32_t, 3>> triangles;  ///< boundary and interfaces, outward
-  std::vector<std::int32_t> triangle_faces;           ///< FaceN
-  std::vector<std::array<std::int32_t, 2>> edges;     ///< mesh edges that follow B-Rep edges
-  std::vector<std::int32_t> edge_edges;               ///< EdgeN
+  std::vector<std::int32_t> triangle_faces;            ///< FaceN
+  std::vector<std::array<std::int32_t, 2>> edges;      ///< mesh edges that follow B-Rep edges
+  std::vector<std::int32_t> edge_edges;                ///< EdgeN
 };
 
 }  // namespace fgmesh

@@ -17,7 +17,8 @@ CgalPolyhedron make_polyhedron(const SampledBoundary& samples) {
   std::vector<std::vector<std::size_t>> triangles;
   triangles.reserve(samples.triangles.size());
   for (const auto& [a, b, c] : samples.triangles)
-    triangles.push_back({static_cast<std::size_t>(a), static_cast<std::size_t>(b), static_cast<std::size_t>(c)});
+    triangles.push_back(
+        {static_cast<std::size_t>(a), static_cast<std::size_t>(b), static_cast<std::size_t>(c)});
 
   namespace pmp = CGAL::Polygon_mesh_processing;
   if (!pmp::is_polygon_soup_a_polygon_mesh(triangles))
@@ -26,7 +27,8 @@ CgalPolyhedron make_polyhedron(const SampledBoundary& samples) {
   CgalPolyhedron polyhedron;
   pmp::polygon_soup_to_polygon_mesh(points, triangles, polyhedron);
   if (!CGAL::is_closed(polyhedron))
-    throw GeometryError("the sampled boundary of the solid is not closed; Part > Check geometry may tell where");
+    throw GeometryError(
+        "the sampled boundary of the solid is not closed; Part > Check geometry may tell where");
   return polyhedron;
 }
 

@@ -9,8 +9,9 @@
 
 namespace fgmesh {
 
-/// How long the segments along creases may be: the size asked for, less where a curve bends, and less where a crease
-/// that it does not touch runs close by, so that protecting balls stay smaller than a wall between two creases.
+/// How long the segments along creases may be: the size asked for, less where a curve bends, and less where a
+/// crease that it does not touch runs close by, so that protecting balls stay smaller than a wall between two
+/// creases.
 class CreaseSizing {
  public:
   CreaseSizing(const SampledBoundary& samples, double size);

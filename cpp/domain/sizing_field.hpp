@@ -6,8 +6,8 @@
 namespace fgmesh {
 
 /// The local element size wanted by the material, mu = C / |grad f| (paper, equation 2.7), kept within
-/// [min_size, max_size] where the gradient explodes or vanishes. Between neighbouring points it may grow by at most
-/// `growth` mm a mm: a Lipschitz bound, without which jumps of size ruin the angles.
+/// [min_size, max_size] where the gradient explodes or vanishes. Between neighbouring points it may grow by
+/// at most `growth` mm a mm: a Lipschitz bound, without which jumps of size ruin the angles.
 struct SizingField {
   double constant = 0.1;
   double min_size = 0.0;  ///< mm

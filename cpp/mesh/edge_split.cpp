@@ -100,7 +100,8 @@ int resolve_boundary(MeshState& state, double min_size, RunControl& control) {
         if (!tet.label[kEdgeVertices[5 - e][0]] && !tet.label[kEdgeVertices[5 - e][1]]) continue;
         const Vertex &a = state.vertices[tet.vertex[i]], &b = state.vertices[tet.vertex[j]];
         if ((a.position - b.position).norm() < 2.0 * min_size) continue;
-        if (chord_error(a, b) > allowed_chord_error(state, a, b) && split_edge(state, tet.vertex[i], tet.vertex[j], t) >= 0)
+        if (chord_error(a, b) > allowed_chord_error(state, a, b) &&
+            split_edge(state, tet.vertex[i], tet.vertex[j], t) >= 0)
           ++count;
       }
     }

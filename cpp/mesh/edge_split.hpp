@@ -10,8 +10,8 @@ namespace fgmesh {
 /// Returns the vertex; -1 where that would turn a tetrahedron over, and then nothing has changed.
 int split_edge(MeshState& state, int a, int b, int t);
 
-/// Splits boundary edges until none is farther from the true boundary than allowed_chord_error(), or would become shorter than
-/// min_size. Returns how many were split.
+/// Splits boundary edges until none is farther from the true boundary than allowed_chord_error(), or would
+/// become shorter than min_size. Returns how many were split.
 int resolve_boundary(MeshState& state, double min_size, RunControl& control);
 
 }  // namespace fgmesh

@@ -21,8 +21,8 @@ struct Patch {
   std::set<int> candidates;
 };
 
-std::vector<Patch> make_patches(const std::vector<LabelledFacet>& facets, const std::map<EdgeKey, int>& crease_curve,
-                                const SampledBoundary& samples) {
+std::vector<Patch> make_patches(const std::vector<LabelledFacet>& facets,
+                                const std::map<EdgeKey, int>& crease_curve, const SampledBoundary& samples) {
   std::map<EdgeKey, std::vector<int>> at_edge;
   for (std::size_t f = 0; f < facets.size(); ++f)
     for (int i = 0; i < 3; ++i)
@@ -117,7 +117,8 @@ void carry_crease_vertices(MeshState& state, const SampledBoundary& samples,
 }  // namespace
 
 void carry_boundary_vertices(MeshState& state, const SampledBoundary& samples,
-                             const std::vector<std::array<int, 3>>& creases, std::vector<LabelledFacet>& facets) {
+                             const std::vector<std::array<int, 3>>& creases,
+                             std::vector<LabelledFacet>& facets) {
   std::map<EdgeKey, int> crease_curve;
   for (const auto& [a, b, curve] : creases) crease_curve[edge_key(a, b)] = curve;
 
@@ -128,7 +129,8 @@ void carry_boundary_vertices(MeshState& state, const SampledBoundary& samples,
   for (Patch& patch : make_patches(facets, crease_curve, samples)) {
     if (patch.candidates.empty()) patch.candidates = faces_without_crease;
     const int label = nearest_face(state, patch, facets);
-    if (label == 0) throw GeometryError("the initial mesh has a boundary patch that belongs to no face of the shape");
+    if (label == 0)
+      throw GeometryError("the initial mesh has a boundary patch that belongs to no face of the shape");
     for (int f : patch.facets) facets[f].label = label;
   }
   check_every_face_is_there(samples, facets);

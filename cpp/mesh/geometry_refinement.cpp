@@ -1,8 +1,200 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/geometry_refinement.hpp"
 
-namespace fgmesh {
+#include "mesh/edge_split.hpp"
+#include "mesh/laplacian_smoothing.hpp"
+#include "mesh/steiner_points.hpp"
+#include "mesh/swap.hpp"
+#include "mesh/worst_first.hpp"
 
-void refine_geometry(MeshState&, const GeometryRefinementOptions&, RunControl&) {}
+namespace fgmesh {
+namespace {
+
+double length(const MeshState& state, int a, int b) { return (state.position(a) - state.position(b)).norm(); }
+
+/// Distance of the middle of the crease edge (a, b) to the true edge, mm.
+double crease_deviation(const MeshState& state, int a, int b, int edge) {
+  const Vec3 middle = 0.5 * (state.position(a) + state.position(b));
+  const Vertex &va = state.vertices[a], &vb = state.vertices[b];
+  const double* guess = va.carrier.dimension == 1   ? va.parameter.data()
+                        : vb.carrier.dimension == 1 ? vb.parameter.data()
+                                                    : nullptr;
+  return (state.boundary().project_to_edge(edge, middle, guess).position - middle).norm();
+}
+
+/// The edge of a boundary facet to split so that it comes closer to its face: the one with the largest chord
+/// error, the longest where all are alike.
+std::array<int, 2> edge_to_split(const MeshState& state, const std::array<int, 3>& facet) {
+  std::array<int, 2> best = {facet[0], facet[1]};
+  double largest = -1.0;
+  for (int i = 0; i < 3; ++i) {
+    const int a = facet[i], b = facet[(i + 1) % 3];
+    const double size = length(state, a, b);
+    const double rank = size + 8.0 * chord_error(state.vertices[a], state.vertices[b]);
+    if (rank > largest) {
+      largest = rank;
+      best = {a, b};
+    }
+  }
+  return best;
+}
+
+/// Splits facets and crease edges that are too far off; no facet touched by a new vertex of this round is
+/// split again. Returns how many.
+int split_boundary(MeshState& state, const GeometryRefinementOptions& options, RunControl& control) {
+  TetComplex& complex = state.complex;
+  const int old_vertices = complex.vertex_slots();
+  int count = 0;
+  for (const auto& [a, b, edge] : complex.creases()) {
+    if (length(state, a, b) < 2.0 * options.min_size ||
+        crease_deviation(state, a, b, edge) <= options.deviation)
+      continue;
+    const int t = complex.find_edge(a, b);
+    if (t >= 0 && split_edge(state, a, b, t) >= 0) ++count;
+  }
+  for (int t = 0; t < complex.slots(); ++t) {
+    if (t % 256 == 0) control.check();
+    for (int face = 0; face < 4 && complex.tet(t).alive(); ++face) {
+      const Tet& tet = complex.tet(t);
+      if (!tet.label[face]) continue;
+      const std::array<int, 3> facet = {tet.vertex[kFaceVertices[face][0]],
+                                        tet.vertex[kFaceVertices[face][1]],
+                                        tet.vertex[kFaceVertices[face][2]]};
+      if (*std::max_element(facet.begin(), facet.end()) >= old_vertices) continue;
+      if (facet_deviation(state, t, face) <= options.deviation) continue;
+      const auto [a, b] = edge_to_split(state, facet);
+      if (length(state, a, b) >= 2.0 * options.min_size && split_edge(state, a, b, t) >= 0) ++count;
+    }
+  }
+  return count;
+}
+
+/// Sizes from the lengths of the boundary's edges, growing inwards; inside, the mesh's own size bounds them.
+void grade_sizes(MeshState& state, double growth) {
+  const TetComplex& complex = state.complex;
+  std::vector<double> shortest(state.vertices.size(), std::numeric_limits<double>::infinity());
+  std::vector<double> sum(state.vertices.size(), 0.0);
+  std::vector<int> count(state.vertices.size(), 0);
+  for (int t = 0; t < complex.slots(); ++t) {
+    const Tet& tet = complex.tet(t);
+    if (!tet.alive()) continue;
+    for (int e = 0; e < 6; ++e) {
+      const int a = tet.vertex[kEdgeVertices[e][0]], b = tet.vertex[kEdgeVertices[e][1]];
+      const double size = length(state, a, b);
+      const bool on_boundary = tet.label[kEdgeVertices[5 - e][0]] || tet.label[kEdgeVertices[5 - e][1]];
+      for (int v : {a, b}) {
+        const bool inner = state.vertices[v].carrier.dimension == 3;
+        if (!inner && !on_boundary) continue;
+        sum[v] += size;
+        ++count[v];
+      }
+    }
+  }
+  for (std::size_t v = 0; v < sum.size(); ++v) state.vertices[v].size = count[v] ? sum[v] / count[v] : 0.0;
+  for (int pass = 0; pass < 8; ++pass) {
+    bool changed = false;
+    for (int t = 0; t < complex.slots(); ++t) {
+      const Tet& tet = complex.tet(t);
+      if (!tet.alive()) continue;
+      for (const auto& edge : kEdgeVertices) {
+        Vertex &a = state.vertices[tet.vertex[edge[0]]], &b = state.vertices[tet.vertex[edge[1]]];
+        Vertex &small = a.size < b.size ? a : b, &large = a.size < b.size ? b : a;
+        const double limit = small.size + growth * (a.position - b.position).norm();
+        if (large.size > limit * (1.0 + 1e-6)) {
+          large.size = limit;
+          changed = true;
+        }
+      }
+    }
+    if (!changed) break;
+  }
+}
+
+/// Splits edges that are much longer than the graded size wants. Returns how many.
+int split_long_edges(MeshState& state, double min_size, RunControl& control) {
+  constexpr double kTooLong = 1.7;
+  TetComplex& complex = state.complex;
+  const int old_vertices = complex.vertex_slots();
+  int count = 0;
+  for (int t = 0; t < complex.slots(); ++t) {
+    if (t % 1024 == 0) control.check();
+    if (!complex.tet(t).alive()) continue;
+    const std::array<int, 4> v = complex.tet(t).vertex;
+    if (*std::max_element(v.begin(), v.end()) >= old_vertices) continue;
+    double largest = kTooLong;
+    std::array<int, 2> edge = {-1, -1};
+    for (const auto& [i, j] : kEdgeVertices) {
+      const double size = length(state, v[i], v[j]);
+      const double ratio = 2.0 * size / (state.vertices[v[i]].size + state.vertices[v[j]].size);
+      if (ratio > largest && size > 2.0 * min_size) {
+        largest = ratio;
+        edge = {v[i], v[j]};
+      }
+    }
+    if (edge[0] >= 0 && split_edge(state, edge[0], edge[1], t) >= 0) ++count;
+  }
+  return count;
+}
+
+/// Delaunay refinement of what is too far from the true boundary, graded inwards, and smoothing of the new
+/// vertices.
+void approach_boundary(MeshState& state, const GeometryRefinementOptions& options, RunControl& control) {
+  const TetScore shape(state, {options.goal.smallest_angle, options.goal.largest_angle, false});
+  const OdtEnergy energy(state, state.threshold());
+  Swapper delaunay(state, energy);
+  constexpr int kMostRounds = 60, kRoundsInside = 3;
+  for (int round = 0, quiet = 0; round < kMostRounds && quiet < kRoundsInside; ++round) {
+    control.report(0.7 * (1.0 - 1.0 / (round + 1)), state.complex.tet_count());
+    const int on_boundary = split_boundary(state, options, control);
+    grade_sizes(state, options.growth);
+    const int inside = split_long_edges(state, options.min_size, control);
+    if (on_boundary + inside == 0) return;
+    quiet = on_boundary > 0 ? 0 : quiet + 1;
+    delaunay.pass();
+    for (int sweep = 0; sweep < 2; ++sweep) laplacian_sweep(state, shape, 0.3, control);
+  }
+}
+
+void set_frozen(MeshState& state, bool frozen) {
+  for (Vertex& vertex : state.vertices) vertex.frozen = frozen;
+}
+
+}  // namespace
+
+double facet_deviation(const MeshState& state, int t, int face) {
+  const Tet& tet = state.complex.tet(t);
+  Vec3 centre = Vec3::Zero();
+  const double* guess = nullptr;
+  for (int k = 0; k < 3; ++k) {
+    const Vertex& vertex = state.vertices[tet.vertex[kFaceVertices[face][k]]];
+    centre += vertex.position / 3.0;
+    if (vertex.carrier.dimension == 2) guess = vertex.parameter.data();
+  }
+  return (state.boundary().project_to_face(tet.label[face], centre, guess).position - centre).norm();
+}
+
+void refine_geometry(MeshState& state, const GeometryRefinementOptions& options, RunControl& control) {
+  state.chord_limit =
+      0.7 * options.deviation;  // the centre of a facet is farther off than the middles of its edges
+  set_frozen(state, true);
+  approach_boundary(state, options, control);
+  set_frozen(state, false);
+
+  const TetScore score(state, options.goal);
+  WorstFirst mender(state, score);
+  constexpr int kMostRepairs = 12;
+  for (int repair = 0; repair < kMostRepairs; ++repair) {
+    if (repair == 1) mender.allow_insertion();
+    control.report(0.7 + 0.3 * repair / kMostRepairs, state.complex.tet_count());
+    const int left = mender.run(6, control);
+    const int above = count_above(state, state.threshold());
+    int changed = split_boundary(state, options, control);
+    if (above > 0)
+      changed +=
+          insert_steiner_points(state, state.threshold(), options.min_size, std::max(8, above / 4), control);
+    if (changed == 0 && (left == 0 || repair > 3)) return;
+  }
+  mender.run(10, control);
+}
 
 }  // namespace fgmesh

@@ -7,12 +7,14 @@
 #include <CGAL/make_mesh_3.h>
 #include <CGAL/version.h>
 
+#include <sstream>
 #include <unordered_map>
 
 #include "core/error.hpp"
 #include "domain/brep_domain.hpp"
 #include "domain/crease_sizing.hpp"
 #include "mesh/face_labels.hpp"
+#include "mesh/worst_first.hpp"
 
 namespace fgmesh {
 namespace {
@@ -32,20 +34,21 @@ struct EdgeSizeField {
 
   FT operator()(const Point_3& p, int dimension, const Index& index) const {
     if (dimension == 0) return sizing->at_corner(to_vec3(p));
-    if (dimension == 1) return sizing->on_curve(domain->curve_of_index[domain->domain->curve_index(index)], to_vec3(p));
+    if (dimension == 1)
+      return sizing->on_curve(domain->curve_of_index[domain->domain->curve_index(index)], to_vec3(p));
     return largest;
   }
 };
 
-CgalComplex run_cgal(const BrepDomain& domain, const SampledBoundary& samples, const InitialMeshOptions& options,
-                     RunControl& control) {
+CgalComplex run_cgal(const BrepDomain& domain, const SampledBoundary& samples,
+                     const InitialMeshOptions& options, RunControl& control) {
   namespace params = CGAL::parameters;
   using Criteria = CGAL::Mesh_criteria_3<CgalTriangulation>;
   const CreaseSizing sizing(samples, options.size);
   const EdgeSizeField edge_size{&sizing, &domain, options.size};
-  const Criteria criteria(params::edge_size = edge_size, params::facet_angle = 25.0, params::facet_size = options.size,
-                          params::facet_distance = options.deviation, params::cell_radius_edge_ratio = 2.0,
-                          params::cell_size = options.size);
+  const Criteria criteria(params::edge_size = edge_size, params::facet_angle = 25.0,
+                          params::facet_size = options.size, params::facet_distance = options.deviation,
+                          params::cell_radius_edge_ratio = 2.0, params::cell_size = options.size);
 #if CGAL_VERSION_NR >= 1050600000
   const auto extra = params::mesh_3_options(params::pointer_to_stop_atomic_boolean(&control.stop_flag()));
 #else
@@ -76,7 +79,8 @@ void extract(const CgalComplex& mesh, const BrepDomain& domain, MeshState& state
     for (int i = 0; i < 4; ++i) tet.vertex[i] = vertex(cell->vertex(i));
     tet.solid = 1;
     const auto& v = tet.vertex;
-    if (orientation(state.position(v[0]), state.position(v[1]), state.position(v[2]), state.position(v[3])) < 0.0)
+    if (orientation(state.position(v[0]), state.position(v[1]), state.position(v[2]), state.position(v[3])) <
+        0.0)
       std::swap(tet.vertex[2], tet.vertex[3]);
     tets.push_back(tet);
   }
@@ -91,6 +95,21 @@ void extract(const CgalComplex& mesh, const BrepDomain& domain, MeshState& state
     creases.push_back({vertex(edge->first->vertex(edge->second)), vertex(edge->first->vertex(edge->third)),
                        domain.curve_of_index[index]});
   }
+}
+
+/// Bringing vertices onto the true boundary may turn flat tetrahedra at it over: mends them.
+void untangle(MeshState& state, RunControl& control) {
+  const TetScore score(state, {10.0, 170.0, false});
+  WorstFirst mender(state, score);
+  mender.run(20, control);
+  const std::vector<int> left = mender.bad_tets(0.0);
+  if (left.empty()) return;
+  Vec3 centre = Vec3::Zero();
+  for (int v : state.complex.tet(left.front()).vertex) centre += 0.25 * state.position(v);
+  std::ostringstream text;
+  text << "the initial mesh folds over at " << left.size() << " tetrahedra, the first at ("
+       << centre.transpose() << ") mm: the elements are too coarse for the shape there; lower MaxSize";
+  throw GeometryError(text.str());
 }
 
 }  // namespace
@@ -112,12 +131,14 @@ void make_initial_mesh(MeshState& state, const SampledBoundary& samples, const I
     throw GeometryError(std::string("CGAL could not mesh the solid: ") + error.what());
   }
   if (tets.empty())
-    throw GeometryError("the initial mesh is empty: the solid may be thinner than its elements; lower MaxSize");
+    throw GeometryError(
+        "the initial mesh is empty: the solid may be thinner than its elements; lower MaxSize");
 
   carry_boundary_vertices(state, samples, creases, facets);
   for (Vertex& vertex : state.vertices) state.evaluate(vertex);
   state.complex.build(tets, facets, static_cast<int>(state.vertices.size()));
   for (const auto& [a, b, curve] : creases) state.complex.set_crease(a, b, samples.curves[curve].edge);
+  untangle(state, control);
 }
 
 }  // namespace fgmesh

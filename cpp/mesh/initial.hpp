@@ -8,13 +8,13 @@
 namespace fgmesh {
 
 struct InitialMeshOptions {
-  double size = 0.0;        ///< of edges, facets and cells, mm
-  double deviation = 0.0;   ///< of facets from the samples, mm
+  double size = 0.0;       ///< of edges, facets and cells, mm
+  double deviation = 0.0;  ///< of facets from the samples, mm
 };
 
-/// Initial mesh (paper, section 2.2): a coarse Delaunay mesh of the sampled boundary by CGAL, its creases and corners
-/// protected, its boundary vertices brought onto the true surface. No material is involved.
-/// Throws GeometryError where CGAL finds no mesh.
+/// Initial mesh (paper, section 2.2): a coarse Delaunay mesh of the sampled boundary by CGAL, its creases and
+/// corners protected, its boundary vertices brought onto the true surface. No material is involved. Throws
+/// GeometryError where CGAL finds no mesh.
 void make_initial_mesh(MeshState& state, const SampledBoundary& samples, const InitialMeshOptions& options,
                        RunControl& control);
 

@@ -15,20 +15,17 @@ struct MaterialRefinementOptions {
   QualityGoal goal;
   std::size_t most_tets = 20000000;  ///< refinement stops there
 
-  int growth_sweeps = 3;     ///< ODT sweeps after each round of Steiner points
-  double growth_limit = 1.25;  ///< rounds of Steiner points go on until no tet is above this many thresholds
-  int final_sweeps = 20;     ///< ODT sweeps once the density is right
-  int relaxations = 30;      ///< sweeps of threshold relaxation between insertions
+  int growth_sweeps = 3;      ///< ODT sweeps after each round of Steiner points
+  double growth_limit = 1.4;  ///< rounds of Steiner points go on until no tet is above this many thresholds
+  int final_sweeps = 20;      ///< ODT sweeps once the density is right
+  int relaxations = 30;       ///< sweeps of threshold relaxation between insertions
   double relaxation_aim = 0.93;  ///< of the threshold
 };
 
-/// Material-oriented refinement (paper, section 2.3): Steiner points into the tetrahedra above the threshold, ODT smoothing with
-/// the sizing field of equation 2.7, and again, until none is above; then the last few are mended one by one.
-/// Tetrahedra across a jump of f, or whose edges would fall below sizing.min_size, stay above.
+/// Material-oriented refinement (paper, section 2.3): Steiner points into the tetrahedra above the threshold,
+/// ODT smoothing with the sizing field of equation 2.7, and again, until none is above; then the last few are
+/// mended one by one. Tetrahedra across a jump of f, or whose edges would fall below sizing.min_size, stay
+/// above.
 void refine_material(MeshState& state, const MaterialRefinementOptions& options, RunControl& control);
-
-/// True where f jumps by more than `threshold` somewhere between p and q: no refinement can bring the
-/// variation below it there. Told by bisection.
-bool jumps_between(const ScalarField& field, Vec3 p, Vec3 q, double threshold);
 
 }  // namespace fgmesh

@@ -46,7 +46,8 @@ Vertex MeshState::carried(const Vertex& vertex, const Vec3& target, bool near) c
   Vertex result = vertex;
   const double* guess = near ? vertex.parameter.data() : nullptr;
   switch (vertex.carrier.dimension) {
-    case 0: break;
+    case 0:
+      break;
     case 1: {
       const CurvePoint found = boundary_.project_to_edge(vertex.carrier.number, target, guess);
       result.position = found.position;
@@ -61,7 +62,8 @@ Vertex MeshState::carried(const Vertex& vertex, const Vec3& target, bool near) c
       result.parameter = {found.u, found.v};
       break;
     }
-    default: result.position = target;
+    default:
+      result.position = target;
   }
   return result;
 }
@@ -115,7 +117,8 @@ bool faces_outward(const Vertex& a, const Vertex& b, const Vertex& c) {
   const Vec3 normal = area_vector(a.position, b.position, c.position);
   const double least = kLeastCosine * normal.norm();
   for (const Vertex* v : {&a, &b, &c})
-    if (v->carrier.dimension == 2 && v->direction.squaredNorm() > 0.0 && !(normal.dot(v->direction) > least)) return false;
+    if (v->carrier.dimension == 2 && v->direction.squaredNorm() > 0.0 && !(normal.dot(v->direction) > least))
+      return false;
   return true;
 }
 
@@ -131,7 +134,8 @@ bool keeps_surface(const MeshState& state, int v, const Vertex& moved, const std
         const int w = tet.vertex[kFaceVertices[face][k]];
         return w == v ? own_vertex : state.vertices[w];
       };
-      if (!faces_outward(at(0, moved), at(1, moved), at(2, moved)) && faces_outward(at(0, old), at(1, old), at(2, old)))
+      if (!faces_outward(at(0, moved), at(1, moved), at(2, moved)) &&
+          faces_outward(at(0, old), at(1, old), at(2, old)))
         return false;
       for (int i = 0; i < 4; ++i) {
         if (i == face || i == own) continue;
@@ -172,8 +176,8 @@ TetMesh MeshState::to_tet_mesh(std::vector<int>* vertex_order) const {
   for (int t = 0; t < complex.slots(); ++t) {
     const Tet& tet = complex.tet(t);
     if (!tet.alive()) continue;
-    mesh.tets.push_back({number[tet.vertex[0]], number[tet.vertex[1]], number[tet.vertex[2]],
-                         number[tet.vertex[3]]});
+    mesh.tets.push_back(
+        {number[tet.vertex[0]], number[tet.vertex[1]], number[tet.vertex[2]], number[tet.vertex[3]]});
     mesh.tet_solids.push_back(tet.solid);
     for (int i = 0; i < 4; ++i) {
       // An interface is written once, from the solid with the lower number.

@@ -35,7 +35,8 @@ class MeshState {
   TetComplex complex;
   std::vector<Vertex> vertices;
 
-  /// No edge of the boundary may be farther than about this from the true boundary, mm; see allowed_chord_error().
+  /// No edge of the boundary may be farther than about this from the true boundary, mm; see
+  /// allowed_chord_error().
   double chord_limit = 0.0;
 
   double threshold() const { return threshold_; }
@@ -51,13 +52,13 @@ class MeshState {
   }
   double variation(int t) const { return variation(complex.tet(t).vertex); }
 
-  /// The vertex moved to the point of its carrier nearest to `target`, with f evaluated there. Nothing where f is
-  /// not defined at a place outside the true solid; throws InvalidInput where the material leaves [0, 1], or
-  /// is not a number, at a point of the true solid.
+  /// The vertex moved to the point of its carrier nearest to `target`, with f evaluated there. Nothing where
+  /// f is not defined at a place outside the true solid; throws InvalidInput where the material leaves [0,
+  /// 1], or is not a number, at a point of the true solid.
   std::optional<Vertex> moved(const Vertex& vertex, const Vec3& target) const;
 
-  /// A new vertex on the edge (a, b) at a + s (b - a), brought onto the carrier that the edge lies on. `label` is the FaceN
-  /// of the boundary facets at the edge, 0 inside a solid.
+  /// A new vertex on the edge (a, b) at a + s (b - a), brought onto the carrier that the edge lies on.
+  /// `label` is the FaceN of the boundary facets at the edge, 0 inside a solid.
   std::optional<Vertex> on_edge(int a, int b, int label, double s = 0.5) const;
 
   /// f and its gradient at the vertex's position; false as for moved().
@@ -66,7 +67,8 @@ class MeshState {
   /// The vertex brought onto its carrier at the place nearest to `target`; f is not evaluated.
   Vertex carried(const Vertex& vertex, const Vec3& target, bool near = true) const;
 
-  /// FaceN of the boundary facets around an edge's ring; 0 where none is labelled. With several (a crease), the first.
+  /// FaceN of the boundary facets around an edge's ring; 0 where none is labelled. With several (a crease),
+  /// the first.
   int label_at(int a, int b, const EdgeRing& ring) const;
 
   /// Adds a vertex to the mesh (in no tetrahedron yet).
@@ -82,22 +84,25 @@ class MeshState {
   double diagonal_;
 };
 
-/// About how far the middle of the boundary edge (a, b) is from the true boundary, mm: for an arc of a circle the angle between
-/// chord and tangent gives the sagitta.
+/// About how far the middle of the boundary edge (a, b) is from the true boundary, mm: for an arc of a circle
+/// the angle between chord and tangent gives the sagitta.
 double chord_error(const Vertex& a, const Vertex& b);
 
-/// The chord error that moves and swaps may leave at the boundary edge (a, b), mm: MeshState::chord_limit, and less where the mesh is
-/// to be fine. Inner vertices would stray into the gap between a coarse facet and its true face otherwise.
+/// The chord error that moves and swaps may leave at the boundary edge (a, b), mm: MeshState::chord_limit,
+/// and less where the mesh is to be fine. Inner vertices would stray into the gap between a coarse facet and
+/// its true face otherwise.
 double allowed_chord_error(const MeshState& state, const Vertex& a, const Vertex& b);
 
 /// True where every tetrahedron of the star stays positively oriented with v at `place`.
 bool stays_positive(const MeshState& state, int v, const Vec3& place, const std::vector<int>& star);
 
-/// True where the facet (a, b, c), counter-clockwise seen from outside, faces the way of the true surface at its vertices.
+/// True where the facet (a, b, c), counter-clockwise seen from outside, faces the way of the true surface at
+/// its vertices.
 bool faces_outward(const Vertex& a, const Vertex& b, const Vertex& c);
 
-/// True where a boundary vertex may go to `moved` without taking an edge of the boundary beyond allowed_chord_error(),
-/// or farther than it is, and without folding a facet over. `star` holds the tetrahedra at v.
+/// True where a boundary vertex may go to `moved` without taking an edge of the boundary beyond
+/// allowed_chord_error(), or farther than it is, and without folding a facet over. `star` holds the
+/// tetrahedra at v.
 bool keeps_surface(const MeshState& state, int v, const Vertex& moved, const std::vector<int>& star);
 
 /// True where the tetrahedron is positively oriented with some margin above rounding.

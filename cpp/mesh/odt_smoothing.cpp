@@ -8,7 +8,8 @@ namespace {
 
 /// |T| times the circumcentre, relative to the first corner; finite even where T is flat.
 Vec3 weighted_circumcentre(const Vec3& ab, const Vec3& ac, const Vec3& ad) {
-  return (ab.squaredNorm() * ac.cross(ad) + ac.squaredNorm() * ad.cross(ab) + ad.squaredNorm() * ab.cross(ac)) /
+  return (ab.squaredNorm() * ac.cross(ad) + ac.squaredNorm() * ad.cross(ab) +
+          ad.squaredNorm() * ab.cross(ac)) /
          12.0;
 }
 
@@ -61,7 +62,8 @@ Vec3 target_on_edge(const MeshState& state, int v, const std::vector<int>& star)
   std::vector<int> neighbours;
   for (int t : star)
     for (int w : state.complex.tet(t).vertex)
-      if (w != v && state.complex.crease(v, w) && std::find(neighbours.begin(), neighbours.end(), w) == neighbours.end())
+      if (w != v && state.complex.crease(v, w) &&
+          std::find(neighbours.begin(), neighbours.end(), w) == neighbours.end())
         neighbours.push_back(w);
   const Vec3& p = state.position(v);
   Vec3 sum = Vec3::Zero();
@@ -91,7 +93,8 @@ double flatness(const MeshState& state, int v, const Vec3& p, const std::vector<
 
 void update_sizes(MeshState& state, const SizingField& sizing) {
   for (Vertex& vertex : state.vertices) vertex.size = sizing.at(vertex.gradient);
-  constexpr int kPasses = 8;  // each carries a limit across one more element; sizes change little between sweeps
+  constexpr int kPasses =
+      8;  // each carries a limit across one more element; sizes change little between sweeps
   for (int pass = 0; pass < kPasses; ++pass) {
     bool changed = false;
     for (int t = 0; t < state.complex.slots(); ++t) {
@@ -113,10 +116,14 @@ void update_sizes(MeshState& state, const SizingField& sizing) {
 
 Vec3 odt_target(const MeshState& state, int v, const std::vector<int>& star) {
   switch (state.vertices[v].carrier.dimension) {
-    case 0: return state.position(v);
-    case 1: return target_on_edge(state, v, star);
-    case 2: return target_on_face(state, v, star);
-    default: return target_in_solid(state, v, star);
+    case 0:
+      return state.position(v);
+    case 1:
+      return target_on_edge(state, v, star);
+    case 2:
+      return target_on_face(state, v, star);
+    default:
+      return target_in_solid(state, v, star);
   }
 }
 

@@ -8,6 +8,7 @@ namespace {
 constexpr double kLeastGain = 1e-9;
 
 bool is_gain(double before, double after) {
+  if (std::isinf(before)) return after < before;
   return after < before - kLeastGain * std::abs(before);
 }
 
@@ -42,7 +43,8 @@ bool Swapper::remove_ringed_edge(int a, int b) {
 
   // The best triangulation of the polygon of link vertices, each triangle making two tetrahedra.
   const std::vector<int>& link = ring_.link;
-  if (orientation(state_.position(a), state_.position(b), state_.position(link[0]), state_.position(link[1])) < 0.0)
+  if (orientation(state_.position(a), state_.position(b), state_.position(link[0]),
+                  state_.position(link[1])) < 0.0)
     std::swap(a, b);
   for (int i = 0; i + 1 < n; ++i) best_[i][i + 1] = 0.0;
   for (int width = 2; width < n; ++width) {
@@ -113,7 +115,8 @@ bool Swapper::polygon_is_free() const {
 }
 
 bool Swapper::surface_allows(int a, int b, int c, int d) const {
-  const Vertex &va = state_.vertices[a], &vb = state_.vertices[b], &vc = state_.vertices[c], &vd = state_.vertices[d];
+  const Vertex &va = state_.vertices[a], &vb = state_.vertices[b], &vc = state_.vertices[c],
+               &vd = state_.vertices[d];
   if (chord_error(vc, vd) > std::max(allowed_chord_error(state_, vc, vd), chord_error(va, vb))) return false;
   // Seen along a -> b the ring turns from c to d through the solid, so these look outward.
   return faces_outward(va, vc, vd) && faces_outward(vb, vd, vc);
@@ -134,7 +137,8 @@ bool Swapper::remove_face(int t, int face) {
   const double before = objective_.join(objective_.cost(tet.vertex), objective_.cost(beyond.vertex));
   const std::array<std::array<int, 4>, 3> made = {{{near, far, p, q}, {near, far, q, r}, {near, far, r, p}}};
   double after = objective_.cost(made[0]);
-  for (int i = 1; i < 3 && is_gain(before, after); ++i) after = objective_.join(after, objective_.cost(made[i]));
+  for (int i = 1; i < 3 && is_gain(before, after); ++i)
+    after = objective_.join(after, objective_.cost(made[i]));
   if (!is_gain(before, after)) return false;
   if (exists(near, far)) return false;
   const int solid = tet.solid;
@@ -160,7 +164,8 @@ int Swapper::pass() {
     for (int face = 0; face < 4 && complex.tet(t).alive(); ++face)
       if (t < complex.tet(t).neighbour[face] && remove_face(t, face)) ++count;
     for (int e = 0; e < 6 && complex.tet(t).alive(); ++e) {
-      const int a = complex.tet(t).vertex[kEdgeVertices[e][0]], b = complex.tet(t).vertex[kEdgeVertices[e][1]];
+      const int a = complex.tet(t).vertex[kEdgeVertices[e][0]],
+                b = complex.tet(t).vertex[kEdgeVertices[e][1]];
       complex.ring(a, b, t, ring_);
       // Each edge once: from the first of its tetrahedra.
       if (*std::min_element(ring_.tet.begin(), ring_.tet.end()) == t && remove_ringed_edge(a, b)) ++count;

@@ -9,8 +9,8 @@
 
 namespace fgmesh {
 
-/// What swaps lower. cost() of a tetrahedron is infinite where it is not positively oriented; join() puts the costs of two
-/// sets of tetrahedra together.
+/// What swaps lower. cost() of a tetrahedron is infinite where it is not positively oriented; join() puts the
+/// costs of two sets of tetrahedra together.
 class SwapObjective {
  public:
   virtual ~SwapObjective() = default;
@@ -20,16 +20,19 @@ class SwapObjective {
   virtual double nothing() const = 0;
 };
 
-/// The ODT energy for fixed vertices: the interpolation error of |x|^2, sum of |T| times the squared edges (Chen and Xu
-/// 2004). Its minimum is the Delaunay triangulation, so lowering it by swaps leads there.
+/// The ODT energy for fixed vertices: the interpolation error of |x|^2, sum of |T| times the squared edges
+/// (Chen and Xu 2004). Its minimum is the Delaunay triangulation, so lowering it by swaps leads there.
 class OdtEnergy final : public SwapObjective {
  public:
-  explicit OdtEnergy(const MeshState& state) : state_(state) {}
+  /// Tetrahedra that vary by more than `most_variation` are not made.
+  explicit OdtEnergy(const MeshState& state, double most_variation = std::numeric_limits<double>::infinity())
+      : state_(state), most_variation_(most_variation) {}
   double cost(const std::array<int, 4>& v) const override {
     const Vec3 &a = state_.position(v[0]), &b = state_.position(v[1]), &c = state_.position(v[2]),
                &d = state_.position(v[3]);
     const double squared = squared_edges(a, b, c, d), volume = orientation(a, b, c, d);
-    if (!(volume > 1e-6 * squared * std::sqrt(squared))) return std::numeric_limits<double>::infinity();
+    if (!(volume > 1e-6 * squared * std::sqrt(squared)) || state_.variation(v) > most_variation_)
+      return std::numeric_limits<double>::infinity();
     return volume * squared;
   }
   double join(double a, double b) const override { return a + b; }
@@ -37,13 +40,17 @@ class OdtEnergy final : public SwapObjective {
 
  private:
   const MeshState& state_;
+  double most_variation_;
 };
 
 /// The worst score of the tetrahedra.
 class WorstScore final : public SwapObjective {
  public:
   explicit WorstScore(const TetScore& score) : score_(score) {}
-  double cost(const std::array<int, 4>& v) const override { return -score_(v); }
+  double cost(const std::array<int, 4>& v) const override {
+    const double score = score_(v);
+    return score < 0.0 ? std::numeric_limits<double>::infinity() : -score;
+  }
   double join(double a, double b) const override { return std::max(a, b); }
   double nothing() const override { return -1.0; }
 
@@ -51,9 +58,9 @@ class WorstScore final : public SwapObjective {
   const TetScore& score_;
 };
 
-/// Swaps edges and faces of a mesh where that lowers an objective. Creases and labels stay; an edge inside a face of the
-/// boundary is swapped with the surface (2-2) where the new edge
-/// stays as close to the true face as allowed_chord_error() asks.
+/// Swaps edges and faces of a mesh where that lowers an objective. Creases and labels stay; an edge inside a
+/// face of the boundary is swapped with the surface (2-2) where the new edge stays as close to the true face
+/// as allowed_chord_error() asks.
 class Swapper {
  public:
   Swapper(MeshState& state, const SwapObjective& objective) : state_(state), objective_(objective) {}

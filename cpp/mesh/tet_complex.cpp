@@ -56,8 +56,10 @@ void TetComplex::build(const std::vector<NewTet>& tets, const std::vector<Labell
     int label = 0;
     std::vector<const Side*> owners;
     for (; last < sides.size() && sides[last].vertex == sides[first].vertex; ++last) {
-      if (sides[last].tet < 0) label = sides[last].face;
-      else owners.push_back(&sides[last]);
+      if (sides[last].tet < 0)
+        label = sides[last].face;
+      else
+        owners.push_back(&sides[last]);
     }
     first = last;
     if (owners.empty()) continue;

@@ -12,8 +12,8 @@ namespace fgmesh {
 struct Tet {
   std::array<int, 4> vertex{};
   std::array<int, 4> neighbour{-1, -1, -1, -1};  ///< across face i; -1: the outside
-  std::array<int, 4> label{};  ///< FaceN that face i is part of; 0: inside a solid
-  int solid = 0;               ///< SolidN; 0: this slot is free
+  std::array<int, 4> label{};                    ///< FaceN that face i is part of; 0: inside a solid
+  int solid = 0;                                 ///< SolidN; 0: this slot is free
 
   bool alive() const { return solid != 0; }
   int index_of(int v) const {
@@ -34,8 +34,8 @@ struct NewTet {
   int solid = 0;
 };
 
-/// The tetrahedra around an edge, in order. link[i] and link[i + 1] are the other two vertices of tet[i]; where the
-/// ring is closed link has as many entries as tet and wraps around, else one more.
+/// The tetrahedra around an edge, in order. link[i] and link[i + 1] are the other two vertices of tet[i];
+/// where the ring is closed link has as many entries as tet and wraps around, else one more.
 struct EdgeRing {
   std::vector<int> tet;
   std::vector<int> link;

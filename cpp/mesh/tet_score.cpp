@@ -4,11 +4,14 @@
 namespace fgmesh {
 
 double TetScore::of(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& d) const {
-  if (!is_positive(a.position, b.position, c.position, d.position))
-    return -std::numeric_limits<double>::infinity();
+  if (!is_positive(a.position, b.position, c.position, d.position)) {
+    const double squared = squared_edges(a.position, b.position, c.position, d.position);
+    return orientation(a.position, b.position, c.position, d.position) / (squared * std::sqrt(squared)) -
+           1e-3;
+  }
   double score = 1.0;
   const double variation = composition_variation(a.value, b.value, c.value, d.value);
-  if (variation > state_.threshold()) score = state_.threshold() / variation;
+  if (goal_.material && variation > state_.threshold()) score = state_.threshold() / variation;
   const AngleRange angles = dihedral_range(a.position, b.position, c.position, d.position);
   score = std::min(score, angles.smallest / goal_.smallest_angle);
   return std::min(score, (180.0 - angles.largest) / (180.0 - goal_.largest_angle));

@@ -11,13 +11,14 @@ namespace fgmesh {
 
 /// What every tetrahedron is asked for.
 struct QualityGoal {
-  double smallest_angle = 15.0;   ///< degrees
-  double largest_angle = 157.0;   ///< degrees
+  double smallest_angle = 15.0;  ///< degrees
+  double largest_angle = 157.0;  ///< degrees
+  bool material = true;          ///< the material threshold counts too
 };
 
-/// How far a tetrahedron is from its goals: 1 where every one of them is met, less by the ratio to the goal that it
-/// misses most, and -infinity where it is not positively oriented. Angles and material count alike, so that
-/// one acceptance test serves both.
+/// How far a tetrahedron is from its goals: 1 where every one of them is met, less by the ratio to the goal
+/// that it misses most. Negative, and the lower the more it is turned over, where it is not positively
+/// oriented. Angles and material count alike, so that one acceptance test serves both.
 class TetScore {
  public:
   TetScore(const MeshState& state, const QualityGoal& goal) : state_(state), goal_(goal) {}
@@ -31,7 +32,9 @@ class TetScore {
   /// The same with vertex `v` imagined at another place.
   double with(int t, int v, const Vertex& moved) const {
     const std::array<int, 4>& index = state_.complex.tet(t).vertex;
-    const auto pick = [&](int i) -> const Vertex& { return index[i] == v ? moved : state_.vertices[index[i]]; };
+    const auto pick = [&](int i) -> const Vertex& {
+      return index[i] == v ? moved : state_.vertices[index[i]];
+    };
     return of(pick(0), pick(1), pick(2), pick(3));
   }
 

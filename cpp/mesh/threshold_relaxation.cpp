@@ -47,8 +47,8 @@ StarState star_state(const MeshState& state, int v, const Vertex& moved, const s
     const Vec3 &a = at(0).position, &b = at(1).position, &c = at(2).position, &d = at(3).position;
     const double squared = squared_edges(a, b, c, d);
     result.flatness = std::min(result.flatness, orientation(a, b, c, d) / (squared * std::sqrt(squared)));
-    result.variation = std::max(
-        result.variation, composition_variation(at(0).value, at(1).value, at(2).value, at(3).value));
+    result.variation =
+        std::max(result.variation, composition_variation(at(0).value, at(1).value, at(2).value, at(3).value));
   }
   return result;
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/worst_first.hpp"
 
+#include "mesh/edge_collapse.hpp"
+#include "mesh/edge_split.hpp"
 #include "mesh/odt_smoothing.hpp"
-#include "mesh/swap.hpp"
 
 namespace fgmesh {
 
@@ -63,23 +64,28 @@ bool WorstFirst::improve_vertex(int v) {
 
   const Tet& worst = state_.complex.tet(worst_tet);
   const int* base = kFaceVertices[worst.index_of(v)];
-  const Vec3 away = -area_vector(state_.position(worst.vertex[base[0]]), state_.position(worst.vertex[base[1]]),
-                                 state_.position(worst.vertex[base[2]]))
-                         .normalized();
+  const Vec3 away =
+      -area_vector(state_.position(worst.vertex[base[0]]), state_.position(worst.vertex[base[1]]),
+                   state_.position(worst.vertex[base[2]]))
+           .normalized();
   const Vec3 gradient = state_.vertices[v].gradient.normalized();
   const Vec3 centre = odt_target(state_, v, star_) - state_.position(v);
 
   bool improved = false;
   for (double step = 0.3 * length; step > 0.02 * length; step *= 0.5) {
-    const std::array<Vec3, 7> ways = {away * step,     gradient * step,           gradient * -step,
-                                      centre * (step / length), random_direction() * step, random_direction() * step,
+    const std::array<Vec3, 7> ways = {away * step,
+                                      gradient * step,
+                                      gradient * -step,
+                                      centre * (step / length),
+                                      random_direction() * step,
+                                      random_direction() * step,
                                       random_direction() * step};
     for (const Vec3& way : ways) {
       if (!way.allFinite()) continue;
       const std::optional<Vertex> moved = state_.moved(state_.vertices[v], state_.position(v) + way);
       if (!moved || !keeps_surface(state_, v, *moved, star_)) continue;
       const double score = star_score(v, *moved, best);
-      if (score <= best * (1.0 + 1e-6) && !(best < 0.0 && score > best)) continue;
+      if (score <= best + 1e-6 * std::abs(best)) continue;
       const double size = state_.vertices[v].size;
       state_.vertices[v] = *moved;
       state_.vertices[v].size = size;
@@ -91,6 +97,48 @@ bool WorstFirst::improve_vertex(int v) {
   return improved;
 }
 
+bool WorstFirst::insert_vertex(int t) {
+  // Best inside, between two boundary vertices: that frees a tetrahedron squeezed flat against the boundary.
+  const std::array<int, 4> v = state_.complex.tet(t).vertex;
+  std::array<int, 2> edge = {-1, -1};
+  double largest = 0.0;
+  EdgeRing ring, best_ring;
+  for (const auto& [i, j] : kEdgeVertices) {
+    state_.complex.ring(v[i], v[j], t, ring);
+    if (state_.label_at(v[i], v[j], ring)) continue;
+    const bool squeezed =
+        state_.vertices[v[i]].carrier.dimension < 3 && state_.vertices[v[j]].carrier.dimension < 3;
+    const double rank = (squeezed ? 4.0 : 1.0) * (state_.position(v[i]) - state_.position(v[j])).norm();
+    if (rank <= largest) continue;
+    largest = rank;
+    edge = {v[i], v[j]};
+    best_ring = ring;
+  }
+  if (edge[0] < 0) return false;
+  double before = 1.0, after = 1.0;
+  for (int around : best_ring.tet) before = std::min(before, score_(around));
+  const int middle = split_edge(state_, edge[0], edge[1], t);
+  if (middle < 0) return false;
+  for (int attempt = 0; attempt < 3 && improve_vertex(middle); ++attempt) continue;
+  state_.complex.star(middle, star_);
+  for (int around : star_) after = std::min(after, score_(around));
+  if (after > before + 0.01) return true;
+  collapse_edge(state_, middle, edge[0], score_, -std::numeric_limits<double>::infinity(),
+                std::numeric_limits<double>::infinity());
+  return false;
+}
+
+bool WorstFirst::mend(int t, Swapper& swapper) {
+  if (swapper.improve(t)) return true;
+  bool any = false;
+  const std::array<int, 4> vertices = state_.complex.tet(t).vertex;
+  for (int v : vertices) {
+    any |= improve_vertex(v);
+    if (score_(t) >= 1.0) return true;
+  }
+  return any || (may_insert_ && insert_vertex(t));
+}
+
 int WorstFirst::run(int rounds, RunControl& control) {
   const WorstScore objective(score_);
   Swapper swapper(state_, objective);
@@ -100,17 +148,9 @@ int WorstFirst::run(int rounds, RunControl& control) {
     int polls = 0;
     for (int t : bad) {
       if (++polls % 64 == 0) control.check();
-      // Earlier changes may have mended it, or put another tetrahedron into its slot: both are told by its score.
-      if (!state_.complex.tet(t).alive() || score_(t) >= 1.0) continue;
-      if (swapper.improve(t)) {
-        any = true;
-        continue;
-      }
-      const std::array<int, 4> vertices = state_.complex.tet(t).vertex;
-      for (int v : vertices) {
-        any |= improve_vertex(v);
-        if (score_(t) >= 1.0) break;
-      }
+      // Earlier changes may have mended it, or put another tetrahedron into its slot: both are told by its
+      // score.
+      if (state_.complex.tet(t).alive() && score_(t) < 1.0) any |= mend(t, swapper);
     }
     bad = bad_tets();
     if (!any) break;

@@ -4,18 +4,23 @@
 #include <cstdint>
 
 #include "core/run_control.hpp"
+#include "mesh/swap.hpp"
 #include "mesh/tet_score.hpp"
 
 namespace fgmesh {
 
-/// Local improvement of the tetrahedra that miss a goal, worst first: swaps of their edges and faces, then moves of their
-/// vertices, each kept only if the worst score around it rises. Frozen vertices stay in place.
+/// Local improvement of the tetrahedra that miss a goal, worst first: swaps of their edges and faces, then
+/// moves of their vertices, each kept only if the worst score around it rises. Frozen vertices stay in place.
 class WorstFirst {
  public:
   WorstFirst(MeshState& state, const TetScore& score) : state_(state), score_(score) {}
 
   /// Goes over all tetrahedra that score below 1, at most `rounds` times. Returns how many are left.
   int run(int rounds, RunControl& control);
+
+  /// Also puts a new vertex into a tetrahedron that neither swaps nor moves mend, where that raises the worst
+  /// score around it.
+  void allow_insertion() { may_insert_ = true; }
 
   /// Looks for a better place of one vertex. Returns whether its star's worst score rose.
   bool improve_vertex(int v);
@@ -24,6 +29,8 @@ class WorstFirst {
   std::vector<int> bad_tets(double least = 1.0) const;
 
  private:
+  bool mend(int t, Swapper& swapper);
+  bool insert_vertex(int t);
   Vec3 random_direction();
   double star_score(int v, const Vertex& moved, double stop_below) const;
 
@@ -31,6 +38,7 @@ class WorstFirst {
   const TetScore& score_;
   std::vector<int> star_;
   std::uint32_t random_ = 12345;
+  bool may_insert_ = false;
 };
 
 }  // namespace fgmesh

@@ -10,6 +10,7 @@
 #include "mesh/geometry_refinement.hpp"
 #include "mesh/initial.hpp"
 #include "mesh/material_refinement.hpp"
+#include "mesh/steiner_points.hpp"
 #include "quality/mesh_statistics.hpp"
 #include "quality/validity.hpp"
 
@@ -37,7 +38,8 @@ MeshingOptions resolved(MeshingOptions options, double diagonal) {
 
 /// Runs one stage and puts its report and its mesh into the result.
 template <class Stage>
-void run_stage(const char* name, const MeshState& state, MeshingResult& result, RunControl& control, Stage&& stage) {
+void run_stage(const char* name, const MeshState& state, MeshingResult& result, RunControl& control,
+               Stage&& stage) {
   control.begin_stage(name);
   const auto start = std::chrono::steady_clock::now();
   stage();
@@ -67,7 +69,8 @@ double gradient_cubed(const TetMesh& mesh, const ScalarField& field) {
     const auto& [a, b, c, d] = mesh.tets[t];
     const double slope = gradients[t].norm();
     if (std::isfinite(slope))
-      sum += slope * slope * slope * signed_volume(mesh.points[a], mesh.points[b], mesh.points[c], mesh.points[d]);
+      sum += slope * slope * slope *
+             signed_volume(mesh.points[a], mesh.points[b], mesh.points[c], mesh.points[d]);
   }
   return sum;
 }
@@ -84,8 +87,10 @@ double largest_deviation(const TetMesh& mesh, const BoundaryGeometry& boundary) 
 }
 
 /// How many tetrahedra miss the threshold, where the worst is, and what may be done.
-std::string describe_misses(const MeshingResult& result, const ScalarField& field, const MeshingOptions& options) {
-  const auto worst = std::max_element(result.variation.begin(), result.variation.end()) - result.variation.begin();
+std::string describe_misses(const MeshingResult& result, const ScalarField& field,
+                            const MeshingOptions& options) {
+  const auto worst =
+      std::max_element(result.variation.begin(), result.variation.end()) - result.variation.begin();
   const auto& tet = result.mesh.tets[worst];
   Vec3 low = result.mesh.points[tet[0]], high = low, centre = Vec3::Zero();
   for (const std::int32_t t : result.above_threshold) {
@@ -102,30 +107,36 @@ std::string describe_misses(const MeshingResult& result, const ScalarField& fiel
                                              options.material_threshold));
   }
   std::ostringstream text;
-  text << result.above_threshold.size() << " of " << result.mesh.tets.size() << " tetrahedra stay above the threshold "
-       << options.material_threshold << ", within (" << low.transpose() << ") to (" << high.transpose()
-       << ") mm; the worst varies by " << result.variation[worst] << " at (" << centre.transpose() << "). ";
+  text << result.above_threshold.size() << " of " << result.mesh.tets.size()
+       << " tetrahedra stay above the threshold " << options.material_threshold << ", within ("
+       << low.transpose() << ") to (" << high.transpose() << ") mm; the worst varies by "
+       << result.variation[worst] << " at (" << centre.transpose() << "). ";
   if (jump) {
-    text << "The volume fraction jumps there, so no mesh can keep the threshold: split the solid at the jump, or "
+    text << "The volume fraction jumps there, so no mesh can keep the threshold: split the solid at the "
+            "jump, or "
             "smooth it (smoothstep).";
   } else {
-    text << "Refinement stopped at the smallest size, " << options.min_size << " mm: lower MinSize or raise the threshold.";
+    text << "Refinement stopped at the smallest size, " << options.min_size
+         << " mm: lower MinSize or raise the threshold.";
   }
   return text.str();
 }
 
-void finish(MeshingResult& result, const BrepModel& model, const ScalarField& field, const MeshingOptions& options) {
+void finish(MeshingResult& result, const BrepModel& model, const ScalarField& field,
+            const MeshingOptions& options) {
   result.variation = variations(result.mesh, result.fraction);
   result.dihedral_min = smallest_dihedrals(result.mesh);
   for (std::size_t t = 0; t < result.variation.size(); ++t)
-    if (result.variation[t] > options.material_threshold) result.above_threshold.push_back(static_cast<std::int32_t>(t));
+    if (result.variation[t] > options.material_threshold)
+      result.above_threshold.push_back(static_cast<std::int32_t>(t));
   if (!result.above_threshold.empty() && options.stop_after != "initial") {
     result.status = "threshold_not_met";
     result.messages.push_back(describe_misses(result, field, options));
   }
   const double integral = gradient_cubed(result.mesh, field);
   if (integral > 0.0)
-    result.element_ratio = static_cast<double>(result.mesh.tets.size()) * std::pow(options.material_threshold, 3) / integral;
+    result.element_ratio =
+        static_cast<double>(result.mesh.tets.size()) * std::pow(options.material_threshold, 3) / integral;
   result.deviation_max = largest_deviation(result.mesh, model);
   result.surface_deviation = options.surface_deviation;
   result.volume = volume(result.mesh);
@@ -135,8 +146,8 @@ void finish(MeshingResult& result, const BrepModel& model, const ScalarField& fi
 
 }  // namespace
 
-MeshingResult generate_mesh(const std::string& shape, const ScalarField& material, const MeshingOptions& asked,
-                            RunControl& control) {
+MeshingResult generate_mesh(const std::string& shape, const ScalarField& material,
+                            const MeshingOptions& asked, RunControl& control) {
   asked.validate();
   control.begin_stage("reading");
   BrepModel model = BrepModel::from_text(shape, control);
@@ -148,8 +159,9 @@ MeshingResult generate_mesh(const std::string& shape, const ScalarField& materia
   result.messages = model.notes();
   MeshState state(model, material, options.material_threshold, diagonal);
   state.chord_limit = kInitialDeviation * options.max_size;
-  run_stage("initial", state, result, control,
-            [&] { make_initial_mesh(state, samples, {options.max_size, state.chord_limit}, control); });
+  run_stage("initial", state, result, control, [&] {
+    make_initial_mesh(state, samples, {options.max_size, state.chord_limit}, control);
+  });
   if (options.stop_after != "initial") {
     run_stage("material", state, result, control, [&] {
       MaterialRefinementOptions refinement;

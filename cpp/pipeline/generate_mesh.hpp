@@ -15,8 +15,8 @@ namespace fgmesh {
 
 struct MeshingResult {
   TetMesh mesh;
-  std::vector<double> fraction;   ///< of the first constituent at each point, clamped to [0, 1]
-  std::vector<double> variation;  ///< of each tetrahedron
+  std::vector<double> fraction;      ///< of the first constituent at each point, clamped to [0, 1]
+  std::vector<double> variation;     ///< of each tetrahedron
   std::vector<double> dihedral_min;  ///< smallest dihedral angle of each tetrahedron, degrees
   std::vector<StageReport> stages;   ///< those that ran, in order
 
@@ -42,9 +42,9 @@ struct MeshingResult {
 /// Meshes the solids of a B-Rep graded by `material`: initial mesh, material-oriented refinement,
 /// geometry-oriented refinement (paper, figure 2).
 ///
-/// `shape` is the text of a BREP or STEP file. Throws InvalidInput for what cannot be read, for options out of
-/// range and for a material outside [0, 1]; GeometryError for a shape that is no valid solid; Cancelled.
-MeshingResult generate_mesh(const std::string& shape, const ScalarField& material, const MeshingOptions& options,
-                            RunControl& control);
+/// `shape` is the text of a BREP or STEP file. Throws InvalidInput for what cannot be read, for options out
+/// of range and for a material outside [0, 1]; GeometryError for a shape that is no valid solid; Cancelled.
+MeshingResult generate_mesh(const std::string& shape, const ScalarField& material,
+                            const MeshingOptions& options, RunControl& control);
 
 }  // namespace fgmesh

@@ -28,7 +28,8 @@ void MeshingOptions::validate() const {
   check_length("surface_deviation", surface_deviation);
   check_length("min_size", min_size);
   check_length("max_size", max_size);
-  if (min_size > 0.0 && max_size > 0.0 && min_size > max_size) refuse("min_size", min_size, "at most max_size");
+  if (min_size > 0.0 && max_size > 0.0 && min_size > max_size)
+    refuse("min_size", min_size, "at most max_size");
   if (!(anisotropy >= 1.0 && std::isfinite(anisotropy))) refuse("anisotropy", anisotropy, "at least 1");
   if (anisotropy > 1.0) throw InvalidInput("anisotropy above 1 is not available yet");
   if (order != 1 && order != 2) refuse("order", order, "1 or 2");

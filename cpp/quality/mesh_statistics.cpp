@@ -33,8 +33,7 @@ std::vector<double> smallest_dihedrals(const TetMesh& mesh) {
   std::vector<double> result;
   result.reserve(mesh.tets.size());
   for (const auto& [a, b, c, d] : mesh.tets)
-    result.push_back(
-        dihedral_range(mesh.points[a], mesh.points[b], mesh.points[c], mesh.points[d]).smallest);
+    result.push_back(dihedral_range(mesh.points[a], mesh.points[b], mesh.points[c], mesh.points[d]).smallest);
   return result;
 }
 
@@ -45,8 +44,8 @@ double volume(const TetMesh& mesh) {
   return sum;
 }
 
-StageReport make_stage_report(const std::string& name, const TetMesh& mesh, const std::vector<double>& fraction,
-                              double threshold) {
+StageReport make_stage_report(const std::string& name, const TetMesh& mesh,
+                              const std::vector<double>& fraction, double threshold) {
   constexpr double kDegrees = 180.0 / 3.14159265358979323846;
   StageReport report;
   report.name = name;
@@ -68,7 +67,8 @@ StageReport make_stage_report(const std::string& name, const TetMesh& mesh, cons
   }
   double least_cosine = 1.0, largest_cosine = -1.0;
   for (const auto& [a, b, c, d] : mesh.tets) {
-    for (const double cosine : dihedral_cosines(mesh.points[a], mesh.points[b], mesh.points[c], mesh.points[d])) {
+    for (const double cosine :
+         dihedral_cosines(mesh.points[a], mesh.points[b], mesh.points[c], mesh.points[d])) {
       least_cosine = std::min(least_cosine, cosine);
       largest_cosine = std::max(largest_cosine, cosine);
       count(report.dihedral_histogram, std::acos(std::clamp(cosine, -1.0, 1.0)) * kDegrees);

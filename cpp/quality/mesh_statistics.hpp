@@ -20,7 +20,7 @@ double volume(const TetMesh& mesh);
 
 /// The figures of the paper's table 1 and the histograms of its figures 7, 8 and 10. Variation is binned over
 /// [0, 2 threshold] (more falls into the last bin), angles over [0, 180] degrees.
-StageReport make_stage_report(const std::string& name, const TetMesh& mesh, const std::vector<double>& fraction,
-                              double threshold);
+StageReport make_stage_report(const std::string& name, const TetMesh& mesh,
+                              const std::vector<double>& fraction, double threshold);
 
 }  // namespace fgmesh

@@ -106,7 +106,8 @@ std::string find_fault(const TetMesh& mesh) {
       boundary.emplace_back(sides[i].vertex, sides[i].even);
     } else {
       if (sides[i].even == sides[i + 1].even) return "two tetrahedra lie on the same side of a face";
-      if (mesh.tet_solids[sides[i].tet] != mesh.tet_solids[sides[i + 1].tet]) interfaces.push_back(sides[i].vertex);
+      if (mesh.tet_solids[sides[i].tet] != mesh.tet_solids[sides[i + 1].tet])
+        interfaces.push_back(sides[i].vertex);
     }
     i = j;
   }
@@ -119,16 +120,18 @@ std::string find_fault(const TetMesh& mesh) {
     outward += std::binary_search(boundary.begin(), boundary.end(), key);
   }
   if (outward != boundary.size())
-    return say(boundary.size() - outward, " boundary facets are not among the labelled triangles (or look inward)");
+    return say(boundary.size() - outward,
+               " boundary facets are not among the labelled triangles (or look inward)");
   for (const Triangle& triangle : interfaces)
     if (!labelled.count(triangle)) return "a facet between two solids has no label";
-  if (labelled.size() != boundary.size() + interfaces.size()) return "a labelled triangle lies inside a solid";
+  if (labelled.size() != boundary.size() + interfaces.size())
+    return "a labelled triangle lies inside a solid";
 
   std::set<std::pair<std::int32_t, std::int32_t>> mesh_edges;
-  for (const Triangle& t : labelled)
-    mesh_edges.insert({{t[0], t[1]}, {t[1], t[2]}, {t[0], t[2]}});
+  for (const Triangle& t : labelled) mesh_edges.insert({{t[0], t[1]}, {t[1], t[2]}, {t[0], t[2]}});
   for (const auto& [a, b] : mesh.edges)
-    if (!mesh_edges.count({std::min(a, b), std::max(a, b)})) return "an edge of the shape leaves the boundary facets";
+    if (!mesh_edges.count({std::min(a, b), std::max(a, b)}))
+      return "an edge of the shape leaves the boundary facets";
   return {};
 }
 

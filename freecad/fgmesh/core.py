@@ -6,12 +6,14 @@
     result = core.generate_mesh("part.step", material, core.MeshingOptions(material_threshold=0.1))
     result.points, result.tets, core.report(result)
 
-Lengths are mm, angles degrees, fractions dimensionless in [0, 1]. `Material`, `MeshingOptions`, `RunControl` and
-the exceptions are those of the C++ side; `help()` of each tells its fields. `versions()` tells what FGMesh was built with.
+Lengths are mm, angles degrees, fractions dimensionless in [0, 1]. `Material`, `MeshingOptions`, `RunControl`
+and the exceptions are those of the C++ side; `help()` of each tells its fields. `versions()` tells what this
+was built with.
 
-Errors: every error raised on purpose is an `Error`: `InvalidInput` (an option, a file or a material that has no
-meaning; also a ValueError), `FormulaError` (an InvalidInput; `position` is the offset in the formula's text),
-`GeometryError` (the shape cannot be meshed), `Cancelled` (stopped by `RunControl` or by its limits).
+Errors: every error raised on purpose is an `Error`: `InvalidInput` (an option, a file or a material that has
+no meaning; also a ValueError), `FormulaError` (an InvalidInput; `position` is the offset in the formula, in
+bytes of UTF-8; `caret_excerpt` shows the place), `GeometryError` (the shape cannot be meshed), `Cancelled`
+(stopped by `RunControl` or by its limits).
 """
 import math
 import os
@@ -57,10 +59,10 @@ __all__ = [
 
 
 class MeshingResult:
-    """What `generate_mesh` gives. The arrays are views of the C++ side's memory: copy before writing into them.
+    """What `generate_mesh` gives. The arrays are read-only views of the C++ side's memory.
 
-    points (n, 3) float64, mm; carriers (n, 2) int32: dimension (0 vertex ... 3 solid) and 1-based number of the
-    B-Rep entity that carries each point; fraction (n,): of the first constituent.
+    points (n, 3) float64, mm; carriers (n, 2) int32: dimension (0 vertex ... 3 solid) and 1-based number of
+    the B-Rep entity that carries each point; fraction (n,): of the first constituent.
     tets (m, 4) int32, positively oriented (VTK order); tet_solids (m,): N of SolidN; variation (m,);
     dihedral_min (m,), degrees; above_threshold: indices of the tetrahedra above the material threshold.
     triangles (t, 3) int32, boundary and interfaces, outward; triangle_faces (t,): N of FaceN.
@@ -104,8 +106,8 @@ def generate_mesh(brep, material, options=None, control=None):
 def read_shape(brep):
     """The content (bytes) of a BREP or STEP file.
 
-    brep: bytes are the content itself; a str of several lines likewise; any other str, or a path-like object, is
-    the path of the file. Raises InvalidInput where the file cannot be read.
+    brep: bytes are the content itself; a str of several lines likewise; any other str, or a path-like object,
+    is the path of the file. Raises InvalidInput where the file cannot be read.
     """
     if isinstance(brep, (bytes, bytearray, memoryview)):
         return bytes(brep)
@@ -126,8 +128,8 @@ def read_shape(brep):
 def frame_rotation(axis):
     """The rotation (3x3 nested list, columns x, y, z) of the frame whose z axis points along `axis`.
 
-    Its x axis is the part of the world's X across `axis`; of the world's Y where `axis` lies within 26 degrees of
-    X. The axis (0, 0, 1) gives the identity. Raises InvalidInput for an axis without direction.
+    Its x axis is the part of the world's X across `axis`; of the world's Y where `axis` lies within 26
+    degrees of X. The axis (0, 0, 1) gives the identity. Raises InvalidInput for an axis without direction.
     """
     length = math.hypot(*axis)
     if len(axis) != 3 or not math.isfinite(length) or length == 0:
@@ -147,9 +149,10 @@ def frame_rotation(axis):
 def report(result):
     """The figures of a MeshingResult as plain values, ready for json.dump.
 
-    One entry a stage under "stages" (counts; variation and dihedral angles with histograms; seconds), then the
-    element ratio eta = N threshold^3 / integral |grad f|^3 dV, the largest deviation from the B-Rep (mm), volumes
-    (mm^3) and the messages of the run. "certified" is empty: bounds between vertices are not proven yet.
+    One entry a stage under "stages" (counts; variation and dihedral angles with histograms; seconds), then
+    the element ratio eta = N threshold^3 / integral |grad f|^3 dV, the largest deviation from the B-Rep (mm),
+    volumes (mm^3) and the messages of the run. "certified" is empty: bounds between vertices are not proven
+    yet.
     """
     return {
         "status": result.status,

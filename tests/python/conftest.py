@@ -55,8 +55,8 @@ def fgmesh(launcher, tmp_path):
 
 @pytest.fixture
 def cube():
-    """A result as generate_mesh gives it, built by hand: a cube of side 2 at the origin, 48 tetrahedra (each of 8
-    small cubes cut along its diagonal), fraction x/2, faces 1 to 6: x=0, x=2, y=0, y=2, z=0, z=2."""
+    """A result as generate_mesh gives it, built by hand: a cube of side 2 at the origin, 48 tetrahedra (each
+    of 8 small cubes cut along its diagonal), fraction x/2, faces 1 to 6: x=0, x=2, y=0, y=2, z=0, z=2."""
     points = np.array(list(itertools.product((0.0, 1.0, 2.0), repeat=3)))
     tets = []
     for start in itertools.product((0, 1), repeat=3):

@@ -151,7 +151,7 @@ def test_jump_is_written_and_located(fgmesh, shapes, tmp_path):
     assert report["status"] == "threshold_not_met"
     assert report["stages"][-1]["variation"]["above_threshold"] == bad.sum()
     assert f"{bad.sum()} of {len(tets)} tetrahedra" in done.stderr
-    x = float(re.search(r" at \(([-0-9.e+]+),", done.stderr).group(1))
+    x = float(re.search(r" at \(([-0-9.e+]+)", done.stderr).group(1))
     crossing = mesh.points[tets[bad]][:, :, 0]
     assert crossing.min() <= x <= crossing.max()
 

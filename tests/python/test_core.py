@@ -117,8 +117,10 @@ def test_axis_without_direction(axis):
 
 def test_neither_freecad_nor_qt_nor_meshio_is_loaded(build_dir):
     code = (
-        "import sys; sys.path.insert(0, sys.argv[1]); from freecad.fgmesh import core, io; import freecad.fgmesh.cli.main\n"
-        "print([name for name in ('FreeCAD', 'PySide2', 'PySide6', 'meshio', 'vtkmodules') if name in sys.modules])"
+        "import sys; sys.path.insert(0, sys.argv[1])\n"
+        "from freecad.fgmesh import core, io; import freecad.fgmesh.cli.main\n"
+        "names = ('FreeCAD', 'PySide2', 'PySide6', 'meshio', 'vtkmodules')\n"
+        "print([name for name in names if name in sys.modules])"
     )
     command = [sys.executable, "-P", "-c", code, str(build_dir / "Mod" / "FGMesh")]
     assert subprocess.run(command, capture_output=True, text=True, check=True).stdout.strip() == "[]"

@@ -63,12 +63,3 @@ def test_quiet_display_says_nothing():
 def test_table_is_aligned():
     lines = summary.table([("a", "bb", "c"), ("long", "1", "22")])
     assert lines == ["a     bb   c", "long   1  22"]
-
-
-def test_shortfall_tells_how_many_how_much_and_where(cube):
-    cube.material_threshold, cube.status = 0.4, "threshold_not_met"
-    cube.above_threshold = [7]
-    cube.variation[7] = 0.75
-    centre = ", ".join(f"{c:.4g}" for c in cube.points[cube.tets[7]].mean(axis=0))
-    text = summary.shortfall(cube)
-    assert "1 of 48" in text and "0.75" in text and f"({centre})" in text

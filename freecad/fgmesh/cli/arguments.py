@@ -115,7 +115,7 @@ OPTION_FIELDS = (
 
 
 def joined_values(argv):
-    """`argv` with "--origin", "-1,0,0" joined to "--origin=-1,0,0": argparse takes the value for an option."""
+    """`argv` with "--origin", "-1,0,0" joined to "--origin=-1,0,0": argparse would see an option."""
     joined = []
     rest = iter(argv)
     for word in rest:

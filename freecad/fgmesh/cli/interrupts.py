@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Ctrl-C and SIGTERM: the process ends at once, and leaves nothing half-written.
 
-The handler raises no exception: one that surfaces in the middle of an import or of a callback is swallowed there.
-Nor does it wait for the run: its thread may be deep inside C++ and cannot be ended alone.
+The handler raises no exception: one that surfaces in the middle of an import or of a callback is swallowed
+there. Nor does it wait for the run: its thread may be deep inside C++ and cannot be ended alone.
 """
 import os
 import signal

@@ -25,8 +25,8 @@ def check(arguments):
 def write(result, arguments):
     """Write mesh and report; they replace their predecessors only when both are complete.
 
-    An interrupt before that leaves nothing behind; after that signals are ignored, since its exit status would tell
-    that nothing is written.
+    An interrupt before that leaves nothing behind; after that signals are ignored, since their exit status
+    would tell that nothing is written.
     """
     outputs = _outputs(arguments)
     interrupts.before_leaving(remove_unfinished)

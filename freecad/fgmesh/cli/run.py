@@ -14,8 +14,8 @@ GRACE_SECONDS = 1.5
 def watched_run(part, material, options, progress, time_limit=0.0, memory_limit_mb=0.0):
     """`core.generate_mesh`, shown by `progress` and bounded by limits (0: none).
 
-    Gives the MeshingResult or raises what generate_mesh raises. Where the run does not notice in time that its
-    time is over, the process ends with exit status 5.
+    Gives the MeshingResult or raises what generate_mesh raises. Where the run does not notice in time that
+    its time is over, the process ends with exit status 5.
     """
     control = core.RunControl()
     control.set_limits(time_limit, memory_limit_mb)

@@ -31,9 +31,10 @@ def check_writable(path):
 def replaced_together(*paths, before_replacing=None):
     """Give one temporary path for each of `paths`; on leaving without an error they replace `paths`.
 
-    Each temporary file lies in the folder of its target, reaches the disk (fsync) before the first replacement,
-    and is removed where anything fails: `paths` are then as they were. A symbolic link is followed, an
-    existing file's permissions are kept. `before_replacing()` is called when all is written. Raises OutputError for any failure of the file system.
+    Each temporary file lies in the folder of its target, reaches the disk (fsync) before the first
+    replacement, and is removed where anything fails: `paths` are then as they were. A symbolic link is
+    followed, an existing file's permissions are kept. `before_replacing()` is called when all is written.
+    Raises OutputError for any failure of the file system.
     """
     for path in paths:
         check_writable(path)

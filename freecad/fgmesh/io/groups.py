@@ -4,7 +4,7 @@ import numpy as np
 
 
 def members(word, numbers):
-    """Yield (name, indices) for each number that occurs: ("Face3", indices of the triangles with number 3)."""
+    """Yield (name, indices) for each number that occurs: ("Face3", indices of the cells with number 3)."""
     numbers = np.asarray(numbers)
     for number in np.unique(numbers):
         yield f"{word}{number}", np.flatnonzero(numbers == number)

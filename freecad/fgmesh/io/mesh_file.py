@@ -4,8 +4,8 @@
 .vtu: ParaView and VTK; every field.        .msh: gmsh 4.1; every field, physical groups SolidN and FaceN.
 .inp: CalculiX and Abaqus; sets, surfaces.  .unv: Salome and FreeCAD; groups.
 
-Points keep their order, and so do tetrahedra and, after them, triangles; but in .msh all are sorted by the solid
-or face that they belong to.
+Points keep their order, and so do tetrahedra and, after them, triangles; but in .msh all are sorted by the
+solid or face that they belong to.
 """
 import os
 
@@ -28,7 +28,8 @@ def mesh_format(path):
     extension = os.path.splitext(os.fspath(path))[1].lower()
     if extension not in EXTENSIONS:
         raise OutputError(
-            f"{os.fspath(path)!r}: the extension {extension!r} is no known mesh format; use {', '.join(EXTENSIONS)}"
+            f"{os.fspath(path)!r}: the extension {extension!r} is no known mesh format; "
+            f"use {', '.join(EXTENSIONS)}"
         )
     return extension
 
@@ -64,7 +65,7 @@ def _write_vtu(result, path):
 
 
 def _write_gmsh(result, path):
-    """Gmsh 4.1 through meshio, which wants one block of cells for each entity and each point on one entity."""
+    """Gmsh 4.1 through meshio, which wants a block of cells for each entity, and each point on one entity."""
     import meshio
 
     fields = cell_data(result)

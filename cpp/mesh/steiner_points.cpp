@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/steiner_points.hpp"
+
+#include "mesh/edge_split.hpp"
+
+namespace fgmesh {
+namespace {
+
+/// The edge of tetrahedron t along which f varies most and can be split: not across a jump, not below
+/// min_size. Its two vertices, or {-1, -1}.
+std::array<int, 2> steepest_edge(const MeshState& state, int t, double min_size) {
+  const std::array<int, 4>& v = state.complex.tet(t).vertex;
+  std::array<int, 2> best = {-1, -1};
+  double largest = 0.0;
+  for (const auto& edge : kEdgeVertices) {
+    const Vertex &a = state.vertices[v[edge[0]]], &b = state.vertices[v[edge[1]]];
+    const Vec3 way = b.position - a.position;
+    const double length = way.norm(), difference = std::abs(b.value - a.value);
+    if (difference <= largest || length < 2.0 * min_size) continue;
+    if (difference > state.threshold()) {
+      const double foretold = std::max(std::abs(a.gradient.dot(way)), std::abs(b.gradient.dot(way)));
+      // Far more than the gradient foretells: a jump, or a steep layer between the two.
+      if (difference > 3.0 * foretold + 0.5 * state.threshold() &&
+          jumps_between(state.field(), a.position, b.position, state.threshold()))
+        continue;
+    }
+    largest = difference;
+    best = {v[edge[0]], v[edge[1]]};
+  }
+  return best;
+}
+
+/// A new point on the inner edge (a, b) would come close to boundary facets around it that are coarser than
+/// the mesh inside; then the longest edge of such a facet is to be split first (Delaunay refinement calls the
+/// facet encroached upon). Changes (a, b) and t to that edge and a tetrahedron that has it.
+void yield_to_boundary(const MeshState& state, int& a, int& b, int& t) {
+  EdgeRing ring;
+  state.complex.ring(a, b, t, ring);
+  if (state.label_at(a, b, ring)) return;
+  const Vec3 middle = 0.5 * (state.position(a) + state.position(b));
+  double longest = 0.0;
+  const std::vector<int> around = ring.tet;
+  for (int near : around) {
+    const Tet& tet = state.complex.tet(near);
+    for (int i = 0; i < 4; ++i) {
+      if (!tet.label[i]) continue;
+      const int* face = kFaceVertices[i];
+      for (int k = 0; k < 3; ++k) {
+        const int p = tet.vertex[face[k]], q = tet.vertex[face[(k + 1) % 3]],
+                  r = tet.vertex[face[(k + 2) % 3]];
+        const double length = (state.position(p) - state.position(q)).norm();
+        const Vec3 centre = (state.position(p) + state.position(q) + state.position(r)) / 3.0;
+        if (length <= longest || (middle - centre).norm() > 0.55 * length) continue;
+        longest = length;
+        a = p;
+        b = q;
+        t = near;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+int insert_steiner_points(MeshState& state, double limit, double min_size, std::size_t most,
+                          RunControl& control) {
+  std::vector<std::pair<double, int>> bad;
+  for (int t = 0; t < state.complex.slots(); ++t) {
+    if (!state.complex.tet(t).alive()) continue;
+    const double variation = state.variation(t);
+    if (variation > limit) bad.emplace_back(-variation, t);
+  }
+  std::sort(bad.begin(), bad.end());
+  const int old_vertices = state.complex.vertex_slots();
+  int inserted = 0;
+  for (const auto& [variation, t] : bad) {
+    if (static_cast<std::size_t>(inserted) >= most) break;
+    if (inserted % 256 == 0) control.check();
+    const Tet& tet = state.complex.tet(t);
+    if (!tet.alive() || !(state.variation(t) > limit)) continue;
+    if (*std::max_element(tet.vertex.begin(), tet.vertex.end()) >= old_vertices) continue;
+    auto [a, b] = steepest_edge(state, t, min_size);
+    if (a < 0) continue;
+    int at = t;
+    yield_to_boundary(state, a, b, at);
+    const int v = split_edge(state, a, b, at);
+    if (v >= 0) ++inserted;
+  }
+  return inserted;
+}
+
+int count_above(const MeshState& state, double limit) {
+  int count = 0;
+  for (int t = 0; t < state.complex.slots(); ++t)
+    count += state.complex.tet(t).alive() && state.variation(t) > limit;
+  return count;
+}
+
+bool jumps_between(const ScalarField& field, Vec3 p, Vec3 q, double threshold) {
+  constexpr int kHalvings = 30;
+  double values[2];
+  const Vec3 ends[2] = {p, q};
+  field.evaluate(ends, 2, values);
+  for (int i = 0; i < kHalvings; ++i) {
+    const Vec3 middle = 0.5 * (p + q);
+    double value;
+    field.evaluate(&middle, 1, &value);
+    if (std::abs(value - values[0]) > std::abs(values[1] - value)) {
+      q = middle;
+      values[1] = value;
+    } else {
+      p = middle;
+      values[0] = value;
+    }
+    if (!(std::abs(values[1] - values[0]) > threshold)) return false;
+  }
+  return true;
+}
+
+}  // namespace fgmesh

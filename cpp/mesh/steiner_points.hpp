@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+
+#include "core/run_control.hpp"
+#include "mesh/mesh_state.hpp"
+
+namespace fgmesh {
+
+/// Step (i) of the paper's section 2.3.3: a Steiner point into the tetrahedra that vary by more than `limit`,
+/// worst first, half-way along the edge on which f varies most; none into a tetrahedron that another point of
+/// this call has touched, at most `most`. Where a coarse boundary facet is near, its longest edge is split
+/// instead. Left out are tetrahedra whose variation is a jump of f, and edges that would become shorter than
+/// `min_size`. Returns how many points were inserted.
+int insert_steiner_points(MeshState& state, double limit, double min_size, std::size_t most,
+                          RunControl& control);
+
+/// True where f jumps by more than `threshold` somewhere between p and q: no refinement brings the variation
+/// below it there. Told by bisection.
+bool jumps_between(const ScalarField& field, Vec3 p, Vec3 q, double threshold);
+
+/// How many tetrahedra vary by more than `limit`.
+int count_above(const MeshState& state, double limit);
+
+}  // namespace fgmesh
