@@ -15,9 +15,6 @@ struct SizingField {
   double growth = 0.5;
 
   double at(const Vec3& gradient) const;
-
-  /// The largest size allowed at a point `distance` mm away from one of size `neighbour`.
-  double graded(double neighbour, double distance) const { return neighbour + growth * distance; }
 };
 
 }  // namespace fgmesh

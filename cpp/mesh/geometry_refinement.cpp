@@ -69,45 +69,25 @@ int split_boundary(MeshState& state, const GeometryRefinementOptions& options, R
   return count;
 }
 
-/// Sizes from the lengths of the boundary's edges, growing inwards; inside, the mesh's own size bounds them.
-void grade_sizes(MeshState& state, double growth) {
+/// Sizes that the deviation asks for: where a boundary edge of length L has chord error c, the true face's curvature wants
+/// edges of L sqrt(deviation / c), whatever the mesh there looks like now. They may grow inwards at a bounded rate.
+void grade_sizes(MeshState& state, const GeometryRefinementOptions& options) {
   const TetComplex& complex = state.complex;
-  std::vector<double> shortest(state.vertices.size(), std::numeric_limits<double>::infinity());
-  std::vector<double> sum(state.vertices.size(), 0.0);
-  std::vector<int> count(state.vertices.size(), 0);
+  for (Vertex& vertex : state.vertices) vertex.size = state.diagonal();
   for (int t = 0; t < complex.slots(); ++t) {
     const Tet& tet = complex.tet(t);
     if (!tet.alive()) continue;
     for (int e = 0; e < 6; ++e) {
-      const int a = tet.vertex[kEdgeVertices[e][0]], b = tet.vertex[kEdgeVertices[e][1]];
-      const double size = length(state, a, b);
-      const bool on_boundary = tet.label[kEdgeVertices[5 - e][0]] || tet.label[kEdgeVertices[5 - e][1]];
-      for (int v : {a, b}) {
-        const bool inner = state.vertices[v].carrier.dimension == 3;
-        if (!inner && !on_boundary) continue;
-        sum[v] += size;
-        ++count[v];
-      }
+      if (!tet.label[kEdgeVertices[5 - e][0]] && !tet.label[kEdgeVertices[5 - e][1]]) continue;
+      Vertex &a = state.vertices[tet.vertex[kEdgeVertices[e][0]]], &b = state.vertices[tet.vertex[kEdgeVertices[e][1]]];
+      const double error = chord_error(a, b), size = (a.position - b.position).norm();
+      if (!(error > 1e-6 * options.deviation)) continue;
+      const double wanted = std::max(2.0 * options.deviation, size * std::sqrt(options.deviation / error));
+      a.size = std::min(a.size, wanted);
+      b.size = std::min(b.size, wanted);
     }
   }
-  for (std::size_t v = 0; v < sum.size(); ++v) state.vertices[v].size = count[v] ? sum[v] / count[v] : 0.0;
-  for (int pass = 0; pass < 8; ++pass) {
-    bool changed = false;
-    for (int t = 0; t < complex.slots(); ++t) {
-      const Tet& tet = complex.tet(t);
-      if (!tet.alive()) continue;
-      for (const auto& edge : kEdgeVertices) {
-        Vertex &a = state.vertices[tet.vertex[edge[0]]], &b = state.vertices[tet.vertex[edge[1]]];
-        Vertex &small = a.size < b.size ? a : b, &large = a.size < b.size ? b : a;
-        const double limit = small.size + growth * (a.position - b.position).norm();
-        if (large.size > limit * (1.0 + 1e-6)) {
-          large.size = limit;
-          changed = true;
-        }
-      }
-    }
-    if (!changed) break;
-  }
+  limit_growth(state, options.growth);
 }
 
 /// Splits edges that are much longer than the graded size wants. Returns how many.
@@ -146,8 +126,9 @@ void approach_boundary(MeshState& state, const GeometryRefinementOptions& option
   for (int round = 0, quiet = 0; round < kMostRounds && quiet < kRoundsInside; ++round) {
     control.report(0.7 * (1.0 - 1.0 / (round + 1)), state.complex.tet_count());
     const int on_boundary = split_boundary(state, options, control);
-    grade_sizes(state, options.growth);
+    grade_sizes(state, options);
     const int inside = split_long_edges(state, options.min_size, control);
+    if (getenv("FG_DUMP")) fprintf(stderr, "round %d boundary %d inside %d tets %d\n", round, on_boundary, inside, state.complex.tet_count());
     if (on_boundary + inside == 0) return;
     quiet = on_boundary > 0 ? 0 : quiet + 1;
     delaunay.pass();

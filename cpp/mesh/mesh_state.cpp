@@ -99,6 +99,27 @@ double chord_error(const Vertex& a, const Vertex& b) {
   return std::max(seen_from(a), seen_from(b));
 }
 
+void limit_growth(MeshState& state, double growth) {
+  constexpr int kPasses = 8;  // each carries a limit across one more element; sizes change little between sweeps
+  for (int pass = 0; pass < kPasses; ++pass) {
+    bool changed = false;
+    for (int t = 0; t < state.complex.slots(); ++t) {
+      const Tet& tet = state.complex.tet(t);
+      if (!tet.alive()) continue;
+      for (const auto& edge : kEdgeVertices) {
+        Vertex &a = state.vertices[tet.vertex[edge[0]]], &b = state.vertices[tet.vertex[edge[1]]];
+        Vertex &small = a.size < b.size ? a : b, &large = a.size < b.size ? b : a;
+        const double limit = small.size + growth * (a.position - b.position).norm();
+        if (large.size > limit * (1.0 + 1e-6)) {
+          large.size = limit;
+          changed = true;
+        }
+      }
+    }
+    if (!changed) break;
+  }
+}
+
 double allowed_chord_error(const MeshState& state, const Vertex& a, const Vertex& b) {
   constexpr double kPartOfSize = 0.15;
   return std::min(state.chord_limit, kPartOfSize * std::min(a.size, b.size));

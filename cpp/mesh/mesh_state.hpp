@@ -93,6 +93,9 @@ double chord_error(const Vertex& a, const Vertex& b);
 /// its true face otherwise.
 double allowed_chord_error(const MeshState& state, const Vertex& a, const Vertex& b);
 
+/// Lowers Vertex::size until it grows by at most `growth` mm a mm along the mesh's edges.
+void limit_growth(MeshState& state, double growth);
+
 /// True where every tetrahedron of the star stays positively oriented with v at `place`.
 bool stays_positive(const MeshState& state, int v, const Vec3& place, const std::vector<int>& star);
 

@@ -93,25 +93,7 @@ double flatness(const MeshState& state, int v, const Vec3& p, const std::vector<
 
 void update_sizes(MeshState& state, const SizingField& sizing) {
   for (Vertex& vertex : state.vertices) vertex.size = sizing.at(vertex.gradient);
-  constexpr int kPasses =
-      8;  // each carries a limit across one more element; sizes change little between sweeps
-  for (int pass = 0; pass < kPasses; ++pass) {
-    bool changed = false;
-    for (int t = 0; t < state.complex.slots(); ++t) {
-      const Tet& tet = state.complex.tet(t);
-      if (!tet.alive()) continue;
-      for (const auto& edge : kEdgeVertices) {
-        Vertex &a = state.vertices[tet.vertex[edge[0]]], &b = state.vertices[tet.vertex[edge[1]]];
-        Vertex &small = a.size < b.size ? a : b, &large = a.size < b.size ? b : a;
-        const double limit = sizing.graded(small.size, (a.position - b.position).norm());
-        if (large.size > limit * (1.0 + 1e-6)) {
-          large.size = limit;
-          changed = true;
-        }
-      }
-    }
-    if (!changed) break;
-  }
+  limit_growth(state, sizing.growth);
 }
 
 Vec3 odt_target(const MeshState& state, int v, const std::vector<int>& star) {
