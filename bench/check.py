@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Looks at a mesh file with nothing of FGMesh's: is it sound, and how good is it?"""
+import contextlib
+import sys
+
 import meshio
 import numpy as np
 
@@ -9,7 +12,8 @@ FACES = np.array([(1, 2, 3), (0, 3, 2), (0, 1, 3), (0, 2, 1)])
 
 def read(path):
     """Points (n, 3), tetrahedra (m, 4) and triangles (t, 3) of a mesh file; points of lower elements dropped."""
-    mesh = meshio.read(path)
+    with contextlib.redirect_stdout(sys.stderr):  # meshio prints an empty line for each file of gmsh
+        mesh = meshio.read(path)
     cells = {
         kind: [block.data for block in mesh.cells if block.type == kind] for kind in ("tetra", "triangle")
     }

@@ -1,11 +1,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Three ways to a mesh that keeps the threshold. Each writes a mesh file and gives the seconds it took."""
+"""Ways to a mesh that keeps the threshold.
+
+Each takes a Case, the path of its BREP file, the threshold and the path of the mesh to write, and gives
+{"seconds": s}, without reading and writing files.
+"""
 import json
 import math
 import re
 import subprocess
 import time
+from functools import partial
 
+import cases  # noqa: F401  puts FreeCAD on the path
+import check
+import Part
 from freecad.fgmesh import core
 from freecad.fgmesh.io.mesh_file import write_mesh
 
@@ -25,27 +33,48 @@ class RivalFailed(RuntimeError):
     """A program ended without the mesh that it was asked for."""
 
 
-def fgmesh(case, shape, threshold, out, **options):
-    """FGMesh in this process, from the text of the B-Rep to the arrays. shape: path of a BREP file."""
+def fgmesh(case, shape, threshold, out):
+    """FGMesh in this process, from the text of the B-Rep to the arrays."""
+    text = shape.read_bytes()
     start = time.perf_counter()
-    wanted = core.MeshingOptions(material_threshold=threshold, **options)
-    result = core.generate_mesh(shape, core.Material([case.formula]), wanted)
+    options = core.MeshingOptions(material_threshold=threshold, stop_after="material")
+    result = core.generate_mesh(text, core.Material([case.formula]), options)
     seconds = time.perf_counter() - start
     write_mesh(result, out)
-    return seconds
+    return {"seconds": seconds}
 
 
-def local_strategy(program, edge, case, shape, threshold, out):
-    """Steiner points without smoothing, on the "longest" or the "steepest" edge; seconds of the program's own."""
-    return json.loads(_run([program, edge, shape, case.formula, str(threshold), out]))["seconds"]
+def local_strategy(edge, case, shape, threshold, out):
+    """Steiner points without smoothing, on the "longest" or the "steepest" edge: see local_strategy.cpp."""
+    answer = _run([out.parent / "local_strategy", edge, shape, case.formula, threshold, out])
+    return {"seconds": json.loads(answer)["seconds"]}
+
+
+def gmsh_search(case, shape, threshold, out):
+    """What a careful user of gmsh does: the largest constant whose mesh keeps the threshold, by bisection.
+
+    "seconds" are those of a run with that constant, "search_seconds" those of all before.
+    """
+    part = Part.Shape()
+    part.importBrep(str(shape))
+    largest = part.BoundBox.DiagonalLength / 8
+    spent = []
+
+    def keeps(constant):
+        spent.append(gmsh(case, shape, largest, constant, out))
+        return check.measure(case, out, threshold)["above"] == 0
+
+    constant = search_constant(keeps, 0.3 * threshold, threshold)
+    return {
+        "seconds": gmsh(case, shape, largest, constant, out),
+        "search_seconds": sum(spent),
+        "constant": constant,
+    }
 
 
 def gmsh(case, shape, largest, constant, out):
-    """gmsh with h = constant / |grad f|, at most `largest` mm.
-
-    The seconds are the sum of what gmsh says it spent on meshing and optimising, without start, reading and
-    writing.
-    """
+    """One mesh by gmsh with h = constant / |grad f|, at most `largest` mm; the seconds that gmsh says it took for
+    meshing and optimising."""
     script = out.with_suffix(".geo")
     values = {"constant": constant, "slope": case.slope, "least_slope": constant / largest}
     script.write_text(GMSH.format(shape=shape, **values))
@@ -57,11 +86,8 @@ def gmsh(case, shape, largest, constant, out):
 
 
 def search_constant(keeps, low, high, runs=8):
-    """The largest constant with keeps(constant) between low and high, by `runs` halvings of their ratio.
-
-    keeps is called with the answer at some time, and not again after that with a larger one that it accepts.
-    Raises RivalFailed where none was accepted.
-    """
+    """The largest constant between low and high that keeps(constant) accepts, by `runs` halvings of their ratio.
+    Raises RivalFailed where it accepts none."""
     best = None
     for _ in range(runs):
         middle = math.sqrt(low * high)
@@ -75,7 +101,16 @@ def search_constant(keeps, low, high, runs=8):
 
 
 def _run(command):
-    done = subprocess.run([str(word) for word in command], capture_output=True, text=True)
+    words = [str(word) for word in command]
+    done = subprocess.run(words, capture_output=True, text=True)
     if done.returncode:
-        raise RivalFailed(f"{' '.join(map(str, command))}: {(done.stderr or done.stdout)[-1000:]}")
+        raise RivalFailed(f"{' '.join(words)}: {(done.stderr or done.stdout)[-1000:]}")
     return done.stdout
+
+
+RIVALS = {
+    "FGMesh": (fgmesh, ".vtu"),
+    "local, longest edge": (partial(local_strategy, "longest"), ".mesh"),
+    "local, steepest edge": (partial(local_strategy, "steepest"), ".mesh"),
+    "gmsh": (gmsh_search, ".msh"),
+}

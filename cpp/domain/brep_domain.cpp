@@ -39,6 +39,8 @@ BrepDomain make_brep_domain(const SampledBoundary& samples) {
   result.surface = std::make_unique<CgalPolyhedron>(make_polyhedron(samples));
   result.domain = std::make_unique<CgalDomain>(*result.surface);
 
+  for (const SampledBoundary::Corner& corner : samples.corners)
+    result.domain->add_corner(to_cgal(samples.points[corner.point]));
   std::vector<std::vector<CgalKernel::Point_3>> polylines;
   polylines.reserve(samples.curves.size());
   for (const SampledBoundary::Curve& curve : samples.curves) {

@@ -3,6 +3,18 @@
 
 // The only file that names CGAL's kernel, domain and triangulation: they are instantiated once.
 
+// Where a step of Mesh_3 fails, CGAL would write debugging files into the user's folder before it throws.
+// Its header of those writers is replaced (the guard is that of CGAL 5 or of CGAL 6).
+#define CGAL_MESH_3_DUMP_C3T3_H
+#define CGAL_SMDS_3_DUMP_C3T3_H
+#include <string>
+namespace CGAL {
+template <class C3t3>
+void dump_c3t3(const C3t3&, std::string) {}
+template <class C3t3>
+void dump_c3t3_edges(const C3t3&, std::string) {}
+}  // namespace CGAL
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Mesh_domain_with_polyline_features_3.h>

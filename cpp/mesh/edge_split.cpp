@@ -97,10 +97,11 @@ int resolve_boundary(MeshState& state, double min_size, RunControl& control) {
         const Tet& tet = complex.tet(t);
         const int i = kEdgeVertices[e][0], j = kEdgeVertices[e][1];
         // The faces at the edge are those opposite the other two vertices.
-        if (!tet.label[kEdgeVertices[5 - e][0]] && !tet.label[kEdgeVertices[5 - e][1]]) continue;
+        const int first = tet.label[kEdgeVertices[5 - e][0]], second = tet.label[kEdgeVertices[5 - e][1]];
+        if (!first && !second) continue;
         const Vertex &a = state.vertices[tet.vertex[i]], &b = state.vertices[tet.vertex[j]];
         if ((a.position - b.position).norm() < 2.0 * min_size) continue;
-        if (chord_error(a, b) > allowed_chord_error(state, a, b) &&
+        if (chord_error(state, a, b, first ? first : second) > allowed_chord_error(state, a, b) &&
             split_edge(state, tet.vertex[i], tet.vertex[j], t) >= 0)
           ++count;
       }

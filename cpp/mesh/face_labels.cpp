@@ -88,29 +88,22 @@ void check_every_face_is_there(const SampledBoundary& samples, const std::vector
   throw GeometryError(text.str());
 }
 
-/// Crease vertices by the curves that meet there: one curve carries an edge vertex, several meet in a corner.
-void carry_crease_vertices(MeshState& state, const SampledBoundary& samples,
-                           const std::vector<std::array<int, 3>>& creases) {
-  for (const auto& [a, b, curve] : creases)
-    for (int v : {a, b}) state.vertices[v].carrier = {1, samples.curves[curve].edge};
+/// Gives CGAL's corners, which keep the coordinates of the samples, their VertexN. A corner that bounds no
+/// curve any more (the tip of a cone) counts too.
+void carry_corners(MeshState& state, const SampledBoundary& samples) {
+  std::map<std::array<double, 3>, int> vertex_at;
   for (const SampledBoundary::Corner& corner : samples.corners) {
-    const Vec3& place = samples.points[corner.point];
-    int nearest = -1;
-    double best = std::numeric_limits<double>::infinity();
-    for (const auto& [a, b, curve] : creases) {
-      for (int v : {a, b}) {
-        const double distance = (state.position(v) - place).squaredNorm();
-        if (distance < best) {
-          best = distance;
-          nearest = v;
-        }
-      }
-    }
-    if (nearest < 0) continue;
-    // CGAL keeps the ends of open curves exactly; a closed curve has none, and its vertex is left to slide.
-    if (best > 0.0) continue;
-    state.vertices[nearest].carrier = {0, corner.vertex};
-    state.vertices[nearest].position = state.boundary().vertex_position(corner.vertex);
+    const Vec3& p = samples.points[corner.point];
+    vertex_at[{p.x(), p.y(), p.z()}] = corner.vertex;
+  }
+  for (Vertex& vertex : state.vertices) {
+    if (vertex.carrier.dimension != 0) continue;
+    const Vec3& p = vertex.position;
+    const auto found = vertex_at.find({p.x(), p.y(), p.z()});
+    if (found == vertex_at.end())
+      throw GeometryError("the initial mesh has a corner that is no vertex of the shape");
+    vertex.carrier.number = found->second;
+    vertex.position = state.boundary().vertex_position(found->second);
   }
 }
 
@@ -135,9 +128,14 @@ void carry_boundary_vertices(MeshState& state, const SampledBoundary& samples,
   }
   check_every_face_is_there(samples, facets);
 
+  const auto carry = [&](int v, Carrier carrier) {
+    if (state.vertices[v].carrier.dimension > carrier.dimension) state.vertices[v].carrier = carrier;
+  };
+  for (const auto& [a, b, curve] : creases)
+    for (int v : {a, b}) carry(v, {1, samples.curves[curve].edge});
   for (const LabelledFacet& facet : facets)
-    for (int v : facet.vertex) state.vertices[v].carrier = {2, facet.label};
-  carry_crease_vertices(state, samples, creases);
+    for (int v : facet.vertex) carry(v, {2, facet.label});
+  carry_corners(state, samples);
 
   for (Vertex& vertex : state.vertices) vertex = state.carried(vertex, vertex.position, false);
 }

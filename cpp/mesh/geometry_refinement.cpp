@@ -24,13 +24,13 @@ double crease_deviation(const MeshState& state, int a, int b, int edge) {
 
 /// The edge of a boundary facet to split so that it comes closer to its face: the one with the largest chord
 /// error, the longest where all are alike.
-std::array<int, 2> edge_to_split(const MeshState& state, const std::array<int, 3>& facet) {
+std::array<int, 2> edge_to_split(const MeshState& state, const std::array<int, 3>& facet, int label) {
   std::array<int, 2> best = {facet[0], facet[1]};
   double largest = -1.0;
   for (int i = 0; i < 3; ++i) {
     const int a = facet[i], b = facet[(i + 1) % 3];
     const double size = length(state, a, b);
-    const double rank = size + 8.0 * chord_error(state.vertices[a], state.vertices[b]);
+    const double rank = size + 8.0 * chord_error(state, state.vertices[a], state.vertices[b], label);
     if (rank > largest) {
       largest = rank;
       best = {a, b};
@@ -62,15 +62,16 @@ int split_boundary(MeshState& state, const GeometryRefinementOptions& options, R
                                         tet.vertex[kFaceVertices[face][2]]};
       if (*std::max_element(facet.begin(), facet.end()) >= old_vertices) continue;
       if (facet_deviation(state, t, face) <= options.deviation) continue;
-      const auto [a, b] = edge_to_split(state, facet);
+      const auto [a, b] = edge_to_split(state, facet, tet.label[face]);
       if (length(state, a, b) >= 2.0 * options.min_size && split_edge(state, a, b, t) >= 0) ++count;
     }
   }
   return count;
 }
 
-/// Sizes that the deviation asks for: where a boundary edge of length L has chord error c, the true face's curvature wants
-/// edges of L sqrt(deviation / c), whatever the mesh there looks like now. They may grow inwards at a bounded rate.
+/// Sizes that the deviation asks for: where a boundary edge of length L has chord error c, the true face's
+/// curvature wants edges of L sqrt(deviation / c), whatever the mesh there looks like now. They may grow
+/// inwards at a bounded rate.
 void grade_sizes(MeshState& state, const GeometryRefinementOptions& options) {
   const TetComplex& complex = state.complex;
   for (Vertex& vertex : state.vertices) vertex.size = state.diagonal();
@@ -78,9 +79,12 @@ void grade_sizes(MeshState& state, const GeometryRefinementOptions& options) {
     const Tet& tet = complex.tet(t);
     if (!tet.alive()) continue;
     for (int e = 0; e < 6; ++e) {
-      if (!tet.label[kEdgeVertices[5 - e][0]] && !tet.label[kEdgeVertices[5 - e][1]]) continue;
-      Vertex &a = state.vertices[tet.vertex[kEdgeVertices[e][0]]], &b = state.vertices[tet.vertex[kEdgeVertices[e][1]]];
-      const double error = chord_error(a, b), size = (a.position - b.position).norm();
+      const int first = tet.label[kEdgeVertices[5 - e][0]], second = tet.label[kEdgeVertices[5 - e][1]];
+      if (!first && !second) continue;
+      Vertex &a = state.vertices[tet.vertex[kEdgeVertices[e][0]]],
+             &b = state.vertices[tet.vertex[kEdgeVertices[e][1]]];
+      const double error = chord_error(state, a, b, first ? first : second);
+      const double size = (a.position - b.position).norm();
       if (!(error > 1e-6 * options.deviation)) continue;
       const double wanted = std::max(2.0 * options.deviation, size * std::sqrt(options.deviation / error));
       a.size = std::min(a.size, wanted);
@@ -128,7 +132,6 @@ void approach_boundary(MeshState& state, const GeometryRefinementOptions& option
     const int on_boundary = split_boundary(state, options, control);
     grade_sizes(state, options);
     const int inside = split_long_edges(state, options.min_size, control);
-    if (getenv("FG_DUMP")) fprintf(stderr, "round %d boundary %d inside %d tets %d\n", round, on_boundary, inside, state.complex.tet_count());
     if (on_boundary + inside == 0) return;
     quiet = on_boundary > 0 ? 0 : quiet + 1;
     delaunay.pass();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/initial.hpp"
 
+#include "domain/cgal_types.hpp"  // before CGAL's own headers: it replaces one of them
+
 #include <CGAL/Mesh_criteria_3.h>
 #include <CGAL/Random.h>
 #include <CGAL/assertions_behaviour.h>
@@ -70,7 +72,7 @@ void extract(const CgalComplex& mesh, const BrepDomain& domain, MeshState& state
     if (fresh) {
       state.vertices.emplace_back();
       state.vertices.back().position = to_vec3(handle->point());
-      state.vertices.back().carrier = {3, 1};
+      state.vertices.back().carrier = {handle->in_dimension() == 0 ? 0 : 3, 1};
     }
     return place->second;
   };
@@ -112,16 +114,12 @@ void untangle(MeshState& state, RunControl& control) {
   throw GeometryError(text.str());
 }
 
-}  // namespace
-
-void make_initial_mesh(MeshState& state, const SampledBoundary& samples, const InitialMeshOptions& options,
-                       RunControl& control) {
-  control.check();
-  CGAL::set_error_behaviour(CGAL::THROW_EXCEPTION);  // a failed assertion would end the process otherwise
-  CGAL::set_error_handler(ignore_failure);
+void mesh_once(MeshState& state, const SampledBoundary& samples, const InitialMeshOptions& options,
+               RunControl& control) {
   std::vector<NewTet> tets;
   std::vector<LabelledFacet> facets;
   std::vector<std::array<int, 3>> creases;
+  state.vertices.clear();
   try {
     const BrepDomain domain = make_brep_domain(samples);
     const CgalComplex mesh = run_cgal(domain, samples, options, control);
@@ -131,14 +129,35 @@ void make_initial_mesh(MeshState& state, const SampledBoundary& samples, const I
     throw GeometryError(std::string("CGAL could not mesh the solid: ") + error.what());
   }
   if (tets.empty())
-    throw GeometryError(
-        "the initial mesh is empty: the solid may be thinner than its elements; lower MaxSize");
+    throw GeometryError("the initial mesh is empty: the solid is thinner than its elements; lower MaxSize");
 
   carry_boundary_vertices(state, samples, creases, facets);
   for (Vertex& vertex : state.vertices) state.evaluate(vertex);
   state.complex.build(tets, facets, static_cast<int>(state.vertices.size()));
   for (const auto& [a, b, curve] : creases) state.complex.set_crease(a, b, samples.curves[curve].edge);
   untangle(state, control);
+}
+
+}  // namespace
+
+void make_initial_mesh(MeshState& state, const SampledBoundary& samples, const InitialMeshOptions& options,
+                       RunControl& control) {
+  CGAL::set_error_behaviour(CGAL::THROW_EXCEPTION);  // a failed assertion would end the process otherwise
+  CGAL::set_error_handler(ignore_failure);
+  // A mesh too coarse for a detail of the shape loses or folds it; a finer one may not.
+  constexpr int kAttempts = 3;
+  InitialMeshOptions attempt = options;
+  for (int left = kAttempts; left > 0; --left) {
+    control.check();
+    try {
+      mesh_once(state, samples, attempt, control);
+      return;
+    } catch (const GeometryError&) {
+      if (left == 1) throw;
+    }
+    attempt.size *= 0.5;
+    attempt.deviation *= 0.4;
+  }
 }
 
 }  // namespace fgmesh

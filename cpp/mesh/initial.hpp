@@ -13,8 +13,8 @@ struct InitialMeshOptions {
 };
 
 /// Initial mesh (paper, section 2.2): a coarse Delaunay mesh of the sampled boundary by CGAL, its creases and
-/// corners protected, its boundary vertices brought onto the true surface. No material is involved. Throws
-/// GeometryError where CGAL finds no mesh.
+/// corners protected, its boundary vertices brought onto the true surface. No material is involved. Where
+/// details of the shape are lost a finer mesh is tried. Throws GeometryError where CGAL finds no mesh.
 void make_initial_mesh(MeshState& state, const SampledBoundary& samples, const InitialMeshOptions& options,
                        RunControl& control);
 

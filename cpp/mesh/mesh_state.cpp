@@ -88,19 +88,21 @@ std::optional<Vertex> MeshState::on_edge(int a, int b, int label, double s) cons
   return result;
 }
 
-double chord_error(const Vertex& a, const Vertex& b) {
+double chord_error(const MeshState& state, const Vertex& a, const Vertex& b, int label) {
   const Vec3 chord = b.position - a.position;
   const auto seen_from = [&](const Vertex& end) {
-    if (end.carrier.dimension == 2) return 0.25 * std::abs(end.direction.dot(chord));
-    return 0.0;
+    return end.carrier.dimension == 2 ? 0.25 * std::abs(end.direction.dot(chord)) : 0.0;
   };
   if (a.carrier.dimension == 1 && b.carrier.dimension == 1 && a.carrier.number == b.carrier.number)
     return 0.25 * std::max(a.direction.cross(chord).norm(), b.direction.cross(chord).norm());
-  return std::max(seen_from(a), seen_from(b));
+  if (a.carrier.dimension == 2 || b.carrier.dimension == 2) return std::max(seen_from(a), seen_from(b));
+  const Vec3 middle = 0.5 * (a.position + b.position);
+  return (state.boundary().project_to_face(label, middle).position - middle).norm();
 }
 
 void limit_growth(MeshState& state, double growth) {
-  constexpr int kPasses = 8;  // each carries a limit across one more element; sizes change little between sweeps
+  constexpr int kPasses =
+      8;  // each carries a limit across one more element; sizes change little between sweeps
   for (int pass = 0; pass < kPasses; ++pass) {
     bool changed = false;
     for (int t = 0; t < state.complex.slots(); ++t) {
@@ -161,8 +163,10 @@ bool keeps_surface(const MeshState& state, int v, const Vertex& moved, const std
       for (int i = 0; i < 4; ++i) {
         if (i == face || i == own) continue;
         const Vertex& end = state.vertices[tet.vertex[i]];
-        const double error = chord_error(moved, end);
-        if (error > allowed_chord_error(state, old, end) && error > chord_error(old, end)) return false;
+        const double error = chord_error(state, moved, end, tet.label[face]);
+        if (error > allowed_chord_error(state, old, end) &&
+            error > chord_error(state, old, end, tet.label[face]))
+          return false;
       }
     }
   }

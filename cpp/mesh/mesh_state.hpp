@@ -84,9 +84,10 @@ class MeshState {
   double diagonal_;
 };
 
-/// About how far the middle of the boundary edge (a, b) is from the true boundary, mm: for an arc of a circle
-/// the angle between chord and tangent gives the sagitta.
-double chord_error(const Vertex& a, const Vertex& b);
+/// About how far the middle of an edge (a, b) of facets on face `label` is from the true boundary, mm: for an
+/// arc of a circle the angle between chord and tangent gives the sagitta; where neither end knows the normal
+/// of the face, by projection.
+double chord_error(const MeshState& state, const Vertex& a, const Vertex& b, int label);
 
 /// The chord error that moves and swaps may leave at the boundary edge (a, b), mm: MeshState::chord_limit,
 /// and less where the mesh is to be fine. Inner vertices would stray into the gap between a coarse facet and

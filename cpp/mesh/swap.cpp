@@ -12,6 +12,15 @@ bool is_gain(double before, double after) {
   return after < before - kLeastGain * std::abs(before);
 }
 
+/// Whether the vertices of the tetrahedron, listed in this order, turn the same way as in its own. Told by
+/// the order alone, so that it is right for a tetrahedron that is flat or turned over, too.
+bool same_sense(const Tet& tet, const std::array<int, 4>& order) {
+  bool even = true;
+  for (int i = 0; i < 4; ++i)
+    for (int j = i + 1; j < 4; ++j) even ^= tet.index_of(order[i]) > tet.index_of(order[j]);
+  return even;
+}
+
 }  // namespace
 
 bool Swapper::remove_ringed_edge(int a, int b) {
@@ -43,9 +52,7 @@ bool Swapper::remove_ringed_edge(int a, int b) {
 
   // The best triangulation of the polygon of link vertices, each triangle making two tetrahedra.
   const std::vector<int>& link = ring_.link;
-  if (orientation(state_.position(a), state_.position(b), state_.position(link[0]),
-                  state_.position(link[1])) < 0.0)
-    std::swap(a, b);
+  if (!same_sense(complex.tet(ring_.tet[0]), {a, b, link[0], link[1]})) std::swap(a, b);
   for (int i = 0; i + 1 < n; ++i) best_[i][i + 1] = 0.0;
   for (int width = 2; width < n; ++width) {
     for (int i = 0; i + width < n; ++i) {
@@ -69,7 +76,7 @@ bool Swapper::remove_ringed_edge(int a, int b) {
 
   std::vector<LabelledFacet> facets;
   if (!ring_.closed) {
-    if (!surface_allows(a, b, link.front(), link.back())) return false;
+    if (!surface_allows(a, b, link.front(), link.back(), label)) return false;
     facets = {{{a, link.front(), link.back()}, label}, {{b, link.front(), link.back()}, label}};
   }
   filling_.clear();
@@ -114,10 +121,13 @@ bool Swapper::polygon_is_free() const {
   return true;
 }
 
-bool Swapper::surface_allows(int a, int b, int c, int d) const {
+bool Swapper::surface_allows(int a, int b, int c, int d, int label) const {
   const Vertex &va = state_.vertices[a], &vb = state_.vertices[b], &vc = state_.vertices[c],
                &vd = state_.vertices[d];
-  if (chord_error(vc, vd) > std::max(allowed_chord_error(state_, vc, vd), chord_error(va, vb))) return false;
+  // The two diagonals of a symmetric quadrilateral are equally good: rounding must not tell them apart.
+  constexpr double kSlack = 1.05;
+  const double allowed = std::max(allowed_chord_error(state_, vc, vd), chord_error(state_, va, vb, label));
+  if (chord_error(state_, vc, vd, label) > kSlack * allowed) return false;
   // Seen along a -> b the ring turns from c to d through the solid, so these look outward.
   return faces_outward(va, vc, vd) && faces_outward(vb, vd, vc);
 }

@@ -82,7 +82,7 @@ class Swapper {
 
  private:
   bool remove_ringed_edge(int a, int b);
-  bool surface_allows(int a, int b, int c, int d) const;
+  bool surface_allows(int a, int b, int c, int d, int label) const;
   bool exists(int a, int b, int c = -1) const;
   bool polygon_is_free() const;
   void fill_polygon(int i, int j, int a, int b, int solid);

@@ -99,7 +99,9 @@ TEST(MeshStatistics, PutsAnglesIntoTheirBins) {
   std::size_t near_right = 0;
   for (std::size_t bin = 0; bin < histogram.counts.size(); ++bin) {
     const double low = static_cast<double>(bin) * width;
-    if (low <= 54.7 && 54.7 < low + width) EXPECT_EQ(histogram.counts[bin], 6u);
+    if (low <= 54.7 && 54.7 < low + width) {
+      EXPECT_EQ(histogram.counts[bin], 6u);
+    }
     // Rounding may put a right angle on either side of 90.
     if (low + width >= 90.0 && low <= 90.0) near_right += histogram.counts[bin];
   }
