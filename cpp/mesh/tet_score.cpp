@@ -11,7 +11,10 @@ double TetScore::of(const Vertex& a, const Vertex& b, const Vertex& c, const Ver
   }
   double score = 1.0;
   const double variation = composition_variation(a.value, b.value, c.value, d.value);
-  if (goal_.material && variation > state_.threshold()) score = state_.threshold() / variation;
+  // The floor keeps angles from being given up for a tetrahedron that no move can bring below the threshold (a jump).
+  constexpr double kMaterialFloor = 0.7;
+  if (goal_.material && variation > state_.threshold())
+    score = std::max(kMaterialFloor, state_.threshold() / variation);
   const AngleRange angles = dihedral_range(a.position, b.position, c.position, d.position);
   score = std::min(score, angles.smallest / goal_.smallest_angle);
   return std::min(score, (180.0 - angles.largest) / (180.0 - goal_.largest_angle));
