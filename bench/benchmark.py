@@ -67,7 +67,7 @@ def machine():
         "cores": os.cpu_count(),
         "load_before": os.getloadavg()[0],
         "date": time.strftime("%Y-%m-%d %H:%M"),
-        "commit": subprocess.run(describe, capture_output=True, text=True).stdout.strip(),
+        "commit": subprocess.run(describe, capture_output=True, text=True).stdout.strip() or "no git",
         **core.versions(),
     }
 

@@ -11,7 +11,8 @@ double TetScore::of(const Vertex& a, const Vertex& b, const Vertex& c, const Ver
   }
   double score = 1.0;
   const double variation = composition_variation(a.value, b.value, c.value, d.value);
-  // The floor keeps angles from being given up for a tetrahedron that no move can bring below the threshold (a jump).
+  // The floor keeps angles from being given up for a tetrahedron that no move can bring below the threshold
+  // (a jump).
   constexpr double kMaterialFloor = 0.7;
   if (goal_.material && variation > state_.threshold())
     score = std::max(kMaterialFloor, state_.threshold() / variation);

@@ -122,8 +122,10 @@ double BallSolid::volume() const { return 4.0 / 3.0 * kPi * std::pow(radius_, 3)
 SampledBoundary BallSolid::samples() const {
   // An octahedron whose triangles are cut in four again and again, blown up.
   SampledBoundary samples;
-  samples.points = {Vec3::UnitX(), -Vec3::UnitX(), Vec3::UnitY(), -Vec3::UnitY(), Vec3::UnitZ(), -Vec3::UnitZ()};
-  samples.triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+  samples.points = {Vec3::UnitX(),  -Vec3::UnitX(), Vec3::UnitY(),
+                    -Vec3::UnitY(), Vec3::UnitZ(),  -Vec3::UnitZ()};
+  samples.triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
+                       {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
   for (int level = 0; level < 5; ++level) {
     std::map<std::pair<int, int>, int> middle_of;
     const auto middle = [&](int a, int b) {

@@ -48,7 +48,8 @@ inline FunctionField constant(double value) { return linear(Vec3::Zero(), value)
 
 /// g(x) with its derivative.
 inline FunctionField along_x(std::function<double(double)> g, std::function<double(double)> derivative) {
-  return {[=](const Vec3& p) { return g(p.x()); }, [=](const Vec3& p) { return Vec3(derivative(p.x()), 0, 0); }};
+  return {[=](const Vec3& p) { return g(p.x()); },
+          [=](const Vec3& p) { return Vec3(derivative(p.x()), 0, 0); }};
 }
 
 /// 1 where x > place, else 0.
@@ -56,8 +57,8 @@ inline FunctionField jump(double place) {
   return along_x([=](double x) { return x > place ? 1.0 : 0.0; }, [](double) { return 0.0; });
 }
 
-/// g(d) with its derivative, d the distance from `centre`; the gradient at the centre itself is zero where the
-/// derivative is finite, as ScalarField asks.
+/// g(d) with its derivative, d the distance from `centre`; the gradient at the centre itself is zero where
+/// the derivative is finite, as ScalarField asks.
 inline FunctionField radial(std::function<double(double)> g, std::function<double(double)> derivative,
                             const Vec3& centre = Vec3::Zero()) {
   return {[=](const Vec3& p) { return g((p - centre).norm()); },

@@ -42,7 +42,8 @@ std::string find_neighbour_fault(const TetComplex& complex, int t) {
     const auto face = static_cast<int>(back - beyond.neighbour.begin());
     if (face_vertices(tet, i) != face_vertices(beyond, face))
       return say("tets ", t, " and ", other, " are neighbours across different faces");
-    if (beyond.label[face] != tet.label[i]) return say("tets ", t, " and ", other, " label a face differently");
+    if (beyond.label[face] != tet.label[i])
+      return say("tets ", t, " and ", other, " label a face differently");
     if ((tet.solid != beyond.solid) != (tet.label[i] != 0))
       return say("the face between tets ", t, " and ", other, " is wrongly labelled");
   }
@@ -139,8 +140,8 @@ AngleRange angle_range(const MeshState& state) {
   for (int t = 0; t < state.complex.slots(); ++t) {
     if (!state.complex.tet(t).alive()) continue;
     const auto& v = state.complex.tet(t).vertex;
-    const AngleRange own =
-        dihedral_range(state.position(v[0]), state.position(v[1]), state.position(v[2]), state.position(v[3]));
+    const AngleRange own = dihedral_range(state.position(v[0]), state.position(v[1]), state.position(v[2]),
+                                          state.position(v[3]));
     all = {std::min(all.smallest, own.smallest), std::max(all.largest, own.largest)};
   }
   return all;

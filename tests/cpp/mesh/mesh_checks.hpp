@@ -13,13 +13,14 @@
 namespace fgmesh::test {
 
 /// What is inconsistent in the connectivity, in words; empty where nothing is: neighbours know each other and
-/// share the same three vertices, labels stand on exactly the boundary and the interfaces and are the same from
-/// both sides, every vertex knows one of its tetrahedra, stars are complete, creases are edges of the mesh.
+/// share the same three vertices, labels stand on exactly the boundary and the interfaces and are the same
+/// from both sides, every vertex knows one of its tetrahedra, stars are complete, creases are edges of the
+/// mesh.
 std::string find_fault(const TetComplex& complex);
 
 /// The same for a mesh in progress: its connectivity, what find_fault(TetMesh) checks, every vertex on its
-/// carrier, corners in their place, and creases as long as the true edges (`crease_tolerance` of it missing at
-/// most, where chords stand for arcs).
+/// carrier, corners in their place, and creases as long as the true edges (`crease_tolerance` of it missing
+/// at most, where chords stand for arcs).
 std::string find_fault(const MeshState& state, const AnalyticSolid& solid, double crease_tolerance = 1e-9);
 
 double volume_of(const MeshState& state);

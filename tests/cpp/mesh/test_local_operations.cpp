@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Splitting and collapsing edges, one at a time.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "core/error.hpp"
+#include "mesh/edge_collapse.hpp"
+#include "mesh/edge_split.hpp"
+#include "mesh_checks.hpp"
+
+namespace fgmesh {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// An edge of the mesh whose ends are carried by entities of these dimensions and whose own middle lies on
+/// one of dimension `middle`: its ends and a tetrahedron that has it.
+struct FoundEdge {
+  int a = -1, b = -1, t = -1;
+};
+
+FoundEdge edge_on(const test::GridMesh& mesh, int middle) {
+  const Box box{Vec3::Zero(), Vec3::Constant(mesh.side)};
+  for (int t = 0; t < mesh.state.complex.slots(); ++t) {
+    for (const auto& [i, j] : kEdgeVertices) {
+      const int a = mesh.state.complex.tet(t).vertex[i], b = mesh.state.complex.tet(t).vertex[j];
+      const Vec3 centre = 0.5 * (mesh.state.position(a) + mesh.state.position(b));
+      if (test::carrier_in_box(box, centre).dimension == middle) return {a, b, t};
+    }
+  }
+  ADD_FAILURE() << "no such edge";
+  return {};
+}
+
+class SplitEdge : public testing::TestWithParam<int> {};
+
+TEST_P(SplitEdge, PutsAVertexOnTheCarrierOfTheEdge) {
+  test::GridMesh mesh(3.0, 3, test::linear(Vec3(0.1, 0.1, 0.05)));
+  const int dimension = GetParam();
+  const auto [a, b, t] = edge_on(mesh, dimension);
+  const Vec3 middle = 0.5 * (mesh.state.position(a) + mesh.state.position(b));
+  EdgeRing ring;
+  mesh.state.complex.ring(a, b, t, ring);
+  const int before = mesh.state.complex.tet_count();
+  const int crease = mesh.state.complex.crease(a, b);
+  ASSERT_EQ(crease != 0, dimension == 1);
+
+  const int v = split_edge(mesh.state, a, b, t);
+  ASSERT_GE(v, 0);
+  const Vertex& vertex = mesh.state.vertices[v];
+  EXPECT_NEAR((vertex.position - middle).norm(), 0.0, 1e-14);
+  EXPECT_EQ(vertex.carrier.dimension, dimension);
+  const Carrier expected = test::carrier_in_box({Vec3::Zero(), Vec3::Constant(3.0)}, middle);
+  EXPECT_EQ(vertex.carrier.number, expected.number);
+  EXPECT_DOUBLE_EQ(vertex.value, middle.dot(Vec3(0.1, 0.1, 0.05)));
+  EXPECT_EQ(vertex.gradient, Vec3(0.1, 0.1, 0.05));
+
+  EXPECT_EQ(mesh.state.complex.tet_count(), before + static_cast<int>(ring.tet.size()));
+  EXPECT_EQ(mesh.state.complex.find_edge(a, b), -1);
+  EXPECT_EQ(mesh.state.complex.crease(a, b), 0);
+  EXPECT_EQ(mesh.state.complex.crease(a, v), crease);
+  EXPECT_EQ(mesh.state.complex.crease(v, b), crease);
+  EXPECT_EQ(test::find_fault(mesh.state, mesh.solid), "");
+  EXPECT_NEAR(test::volume_of(mesh.state), 27.0, 1e-12);
+}
+
+INSTANTIATE_TEST_SUITE_P(Carrier, SplitEdge, testing::Values(1, 2, 3), [](const auto& info) {
+  return std::string(info.param == 1 ? "Crease" : info.param == 2 ? "Face" : "Inside");
+});
+
+/// A box whose face 1 is, for projection alone, a plane deep inside it.
+class DentedBox final : public test::BoxSolid {
+ public:
+  DentedBox(double side, double depth) : BoxSolid({Vec3::Zero(), Vec3::Constant(side)}), depth_(depth) {}
+  SurfacePoint project_to_face(int face, const Vec3& p, const double* guess) const override {
+    SurfacePoint found = BoxSolid::project_to_face(face, p, guess);
+    if (face == 1) found.position.x() = depth_;
+    return found;
+  }
+
+ private:
+  double depth_;
+};
+
+TEST(SplitEdgeThatCannotBe, ChangesNothing) {
+  // The new vertex would go through the tetrahedra at the face and beyond them.
+  const test::FunctionField field = test::constant(0.5);
+  const DentedBox solid(3.0, 2.5);
+  MeshState state(solid, field, 0.1, 5.0);
+  const test::BoxSolid box({Vec3::Zero(), Vec3::Constant(3.0)});
+  MeshState plain(box, field, 0.1, 5.0);
+  test::load(plain, test::box_grid(3.0, 3), 1.0);
+  state.complex = plain.complex;
+  state.vertices = plain.vertices;
+
+  int refused = 0;
+  for (int t = 0; t < plain.complex.slots(); ++t) {
+    const Tet& tet = plain.complex.tet(t);
+    for (int face = 0; face < 4; ++face) {
+      if (tet.label[face] != 1) continue;
+      const int a = tet.vertex[kFaceVertices[face][0]], b = tet.vertex[kFaceVertices[face][1]];
+      if (plain.complex.crease(a, b)) continue;
+      EXPECT_EQ(split_edge(state, a, b, t), -1);
+      ++refused;
+    }
+  }
+  ASSERT_GT(refused, 5);
+  ASSERT_EQ(state.vertices.size(), plain.vertices.size());
+  ASSERT_EQ(state.complex.tet_count(), plain.complex.tet_count());
+  ASSERT_EQ(test::find_fault(state.complex), "");
+  for (std::size_t v = 0; v < plain.vertices.size(); ++v)
+    EXPECT_EQ(state.vertices[v].position, plain.vertices[v].position) << "vertex " << v << " was moved";
+}
+
+TEST(SplitEdgeWhereTheMaterialIsWrong, NamesThePoint) {
+  test::GridMesh mesh(
+      2.0, 2, test::along_x([](double x) { return x == 0.5 ? 1.25 : 0.5; }, [](double) { return 0.0; }));
+  for (int t = 0; t < mesh.state.complex.slots(); ++t) {
+    for (const auto& [i, j] : kEdgeVertices) {
+      const int a = mesh.state.complex.tet(t).vertex[i], b = mesh.state.complex.tet(t).vertex[j];
+      if (mesh.state.position(a).x() + mesh.state.position(b).x() != 1.0) continue;
+      try {
+        split_edge(mesh.state, a, b, t);
+        FAIL() << "a fraction of 1.25 went through";
+      } catch (const InvalidInput& error) {
+        EXPECT_NE(std::string(error.what()).find("1.25"), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find("(0.5, "), std::string::npos) << error.what();
+      }
+      EXPECT_EQ(test::find_fault(mesh.state, mesh.solid), "");
+      return;
+    }
+  }
+}
+
+TEST(CollapseEdge, TakesAVertexAwayAndKeepsTheRest) {
+  test::GridMesh mesh(3.0, 3);
+  const TetScore score(mesh.state, {1.0, 179.0, false});
+  const auto [a, b, t] = edge_on(mesh, 3);
+  const int vertices = test::vertex_count(mesh.state), v = split_edge(mesh.state, a, b, t);
+  ASSERT_GE(v, 0);
+  const int before = mesh.state.complex.tet_count();
+  std::vector<int> star;
+  mesh.state.complex.star(v, star);
+  ASSERT_TRUE(collapse_edge(mesh.state, v, b, score, 0.0, kInfinity));
+  EXPECT_EQ(test::find_fault(mesh.state, mesh.solid), "");
+  EXPECT_EQ(mesh.state.complex.tet_at(v), -1);
+  EXPECT_EQ(test::vertex_count(mesh.state), vertices);
+  EXPECT_EQ(mesh.state.complex.tet_count(), before - static_cast<int>(star.size()) / 2);
+  EXPECT_NEAR(test::volume_of(mesh.state), 27.0, 1e-12);
+}
+
+TEST(CollapseEdge, LeavesTheBoundaryAlone) {
+  test::GridMesh mesh(3.0, 3);
+  const TetScore score(mesh.state, {1.0, 179.0, false});
+  for (int v = 0; v < mesh.state.complex.vertex_slots(); ++v) {
+    if (mesh.state.vertices[v].carrier.dimension == 3) continue;
+    const Tet& tet = mesh.state.complex.tet(mesh.state.complex.tet_at(v));
+    for (const int w : tet.vertex)
+      if (w != v) {
+        EXPECT_FALSE(collapse_edge(mesh.state, v, w, score, -kInfinity, kInfinity));
+      }
+  }
+  EXPECT_EQ(test::find_fault(mesh.state, mesh.solid), "");
+}
+
+TEST(CollapseEdge, KeepsTheVariationAskedFor) {
+  test::GridMesh mesh(3.0, 3, test::linear(Vec3(1.0 / 3.0, 0, 0)), 1.0);
+  const TetScore score(mesh.state, {1.0, 179.0, false});
+  // One cell is a third wide: a tetrahedron without an inner vertex reaches across two.
+  const auto [a, b, t] = edge_on(mesh, 3);
+  const int inner = mesh.state.vertices[a].carrier.dimension == 3 ? a : b;
+  ASSERT_EQ(mesh.state.vertices[inner].carrier.dimension, 3);
+  const int before = mesh.state.complex.tet_count();
+  EXPECT_FALSE(collapse_edge(mesh.state, inner, a + b - inner, score, -kInfinity, 0.3));
+  EXPECT_EQ(mesh.state.complex.tet_count(), before);
+  EXPECT_EQ(test::find_fault(mesh.state, mesh.solid), "");
+}
+
+TEST(ResolveBoundary, SplitsEdgesThatAreFarFromTheTrueFace) {
+  // A cube in a ball, its corners on it: every edge is a chord until it is split.
+  const double radius = 1.0, side = 2.0 / std::sqrt(3.0);
+  const test::BallSolid ball(radius);
+  const test::FunctionField field = test::constant(0.5);
+  MeshState state(ball, field, 0.1, 2.0 * side);
+  TetMesh cube = test::box_grid({Vec3::Constant(-0.5 * side), Vec3::Constant(0.5 * side)}, {1, 1, 1});
+  for (Carrier& carrier : cube.carriers) carrier = {2, 1};
+  for (std::int32_t& face : cube.triangle_faces) face = 1;
+  cube.edges.clear();
+  cube.edge_edges.clear();
+  test::load(state, cube, 10.0);
+  state.chord_limit = 0.05;
+  const double before = test::volume_of(state);
+  RunControl control;
+  const int splits = resolve_boundary(state, 1e-3, control);
+  EXPECT_GT(splits, 20);
+  EXPECT_EQ(test::find_fault(state, ball), "");
+  EXPECT_GT(test::volume_of(state), before);
+  EXPECT_LT(test::volume_of(state), ball.volume());
+  for (int t = 0; t < state.complex.slots(); ++t) {
+    const Tet& tet = state.complex.tet(t);
+    for (int face = 0; face < 4 && tet.alive(); ++face) {
+      if (!tet.label[face]) continue;
+      for (int k = 0; k < 3; ++k) {
+        const Vec3& p = state.position(tet.vertex[kFaceVertices[face][k]]);
+        const Vec3& q = state.position(tet.vertex[kFaceVertices[face][(k + 1) % 3]]);
+        EXPECT_LT(radius - (0.5 * (p + q)).norm(), 1.2 * 0.05) << "the sagitta of the chord";
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace fgmesh

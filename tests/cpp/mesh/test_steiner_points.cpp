@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "mesh/steiner_points.hpp"
+#include "mesh_checks.hpp"
+
+namespace fgmesh {
+namespace {
+
+/// Between x = 0 and x = 1.
+bool jumps(std::function<double(double)> f, double threshold = 0.1) {
+  return jumps_between(test::along_x(std::move(f), [](double) { return 0.0; }), Vec3(0, 2, 3), Vec3(1, 2, 3),
+                       threshold);
+}
+
+TEST(JumpsBetween, FindsAStepWhereverItIs) {
+  for (const double place : {1e-6, 0.1, 0.5, 1.0 / 3.0, 0.999999}) {
+    EXPECT_TRUE(jumps([=](double x) { return x > place ? 0.9 : 0.1; })) << place;
+    EXPECT_TRUE(jumps([=](double x) { return x >= place ? 0.1 : 0.9; })) << place;
+    EXPECT_TRUE(jumps([=](double x) { return 0.3 * x + (x > place ? 0.5 : 0.0); }))
+        << "on a slope, " << place;
+  }
+}
+
+TEST(JumpsBetween, IsNotDeceivedByWhatIsSteepButContinuous) {
+  EXPECT_FALSE(jumps([](double x) { return x; }));
+  EXPECT_FALSE(jumps([](double x) { return std::sqrt(x); })) << "its slope is infinite at an end";
+  EXPECT_FALSE(jumps([](double x) { return std::sqrt(std::abs(x - 0.5)); }));
+  EXPECT_FALSE(jumps([](double x) { return std::cbrt(x); }));
+  for (const double steepness : {10.0, 1e3, 1e5}) {
+    EXPECT_FALSE(jumps([=](double x) { return 0.5 + 0.5 * std::tanh(steepness * (x - 0.37)); })) << steepness;
+  }
+  EXPECT_FALSE(jumps([](double) { return 0.25; }));
+}
+
+TEST(JumpsBetween, LeavesStepsBelowTheThresholdAlone) {
+  const auto step = [](double x) { return x > 0.4 ? 0.55 : 0.5; };
+  EXPECT_FALSE(jumps(step, 0.1));
+  EXPECT_TRUE(jumps(step, 0.04));
+}
+
+TEST(CountAbove, CountsTetrahedra) {
+  test::GridMesh mesh(1.0, 4, test::linear(Vec3(1, 0, 0)));
+  EXPECT_EQ(count_above(mesh.state, 0.2), 6 * 64);
+  EXPECT_EQ(count_above(mesh.state, 0.26), 0);
+}
+
+TEST(SteinerPoints, BringTheVariationDown) {
+  test::GridMesh mesh(1.0, 2, test::linear(Vec3(1, 0, 0)));
+  RunControl control;
+  double largest = test::largest_variation(mesh.state);
+  int rounds = 0;
+  while (count_above(mesh.state, 0.1) > 0 && ++rounds < 30) {
+    const int before = test::vertex_count(mesh.state);
+    const int inserted = insert_steiner_points(mesh.state, 0.1, 1e-4, 1000000, control);
+    ASSERT_GT(inserted, 0);
+    EXPECT_EQ(test::vertex_count(mesh.state), before + inserted);
+    ASSERT_EQ(test::find_fault(mesh.state, mesh.solid), "");
+    EXPECT_LE(test::largest_variation(mesh.state), largest);
+    largest = test::largest_variation(mesh.state);
+  }
+  EXPECT_EQ(count_above(mesh.state, 0.1), 0);
+  EXPECT_NEAR(test::volume_of(mesh.state), 1.0, 1e-12);
+}
+
+TEST(SteinerPoints, AreNoMoreThanAsked) {
+  test::GridMesh mesh(1.0, 3, test::linear(Vec3(1, 0, 0)));
+  RunControl control;
+  EXPECT_LE(insert_steiner_points(mesh.state, 0.1, 1e-4, 5, control), 5);
+  EXPECT_LE(test::vertex_count(mesh.state), 64 + 5);
+}
+
+TEST(SteinerPoints, MakeNoEdgeShorterThanTheSmallestSize) {
+  constexpr double kMinSize = 0.2;
+  test::GridMesh mesh(1.0, 2, test::linear(Vec3(1, 0, 0)), 0.01);
+  RunControl control;
+  for (int round = 0; round < 30; ++round)
+    if (insert_steiner_points(mesh.state, 0.01, kMinSize, 1000000, control) == 0) break;
+  EXPECT_EQ(insert_steiner_points(mesh.state, 0.01, kMinSize, 1000000, control), 0);
+  // The edge that is split is at least twice as long; the new ones to its ring may be shorter than that, but
+  // not shorter than half of it in a cube's six tetrahedra.
+  for (const auto& [a, b, c, d] : mesh.state.to_tet_mesh().tets) {
+    for (const auto& [p, q] : {std::pair{a, b}, {a, c}, {a, d}, {b, c}, {b, d}, {c, d}})
+      EXPECT_GT((mesh.state.position(p) - mesh.state.position(q)).norm(), 0.5 * kMinSize);
+  }
+}
+
+TEST(SteinerPoints, DoNotChaseAJump) {
+  test::GridMesh mesh(1.0, 4, test::jump(0.4));
+  RunControl control;
+  EXPECT_GT(count_above(mesh.state, 0.1), 0);
+  EXPECT_EQ(insert_steiner_points(mesh.state, 0.1, 1e-6, 1000000, control), 0);
+}
+
+}  // namespace
+}  // namespace fgmesh
