@@ -128,13 +128,13 @@ void approach_boundary(MeshState& state, const GeometryRefinementOptions& option
   Swapper delaunay(state, energy);
   constexpr int kMostRounds = 60, kRoundsInside = 3;
   for (int round = 0, quiet = 0; round < kMostRounds && quiet < kRoundsInside; ++round) {
-    control.report(0.7 * (1.0 - 1.0 / (round + 1)), state.complex.tet_count());
+    control.report(0.7 * round / (round + 4.0), state.complex.tet_count());
     const int on_boundary = split_boundary(state, options, control);
     grade_sizes(state, options);
     const int inside = split_long_edges(state, options.min_size, control);
     if (on_boundary + inside == 0) return;
     quiet = on_boundary > 0 ? 0 : quiet + 1;
-    delaunay.pass();
+    delaunay.pass(&control);
     for (int sweep = 0; sweep < 2; ++sweep) laplacian_sweep(state, shape, 0.3, control);
   }
 }

@@ -23,14 +23,14 @@ void smooth(MeshState& state, const MaterialRefinementOptions& options, int swee
 void grow(MeshState& state, const MaterialRefinementOptions& options, RunControl& control) {
   const double limit = options.growth_limit * state.threshold();
   constexpr int kMostRounds = 60;
+  constexpr double kDone = 0.002;  // new points a tetrahedron
   for (int round = 0; round < kMostRounds; ++round) {
+    control.report(0.6 * round / (round + 8.0), state.complex.tet_count());
     resolve_boundary(state, options.sizing.min_size, control);
-    const int inserted =
-        insert_steiner_points(state, limit, options.sizing.min_size, options.most_tets, control);
-    if (inserted < 0.002 * state.complex.tet_count()) break;
+    const int room = std::max(0, options.most_tets - state.complex.tet_count());
+    const int inserted = insert_steiner_points(state, limit, options.sizing.min_size, room, control);
+    if (inserted < kDone * state.complex.tet_count()) break;
     smooth(state, options, options.growth_sweeps, 1.0, control);
-    // Early rounds double the mesh; the fraction told is that of the density reached.
-    control.report(std::min(0.6, 0.02 * (round + 1)), state.complex.tet_count());
   }
 }
 
@@ -46,6 +46,7 @@ void relax(MeshState& state, const MaterialRefinementOptions& options, RunContro
 }  // namespace
 
 void refine_material(MeshState& state, const MaterialRefinementOptions& options, RunControl& control) {
+  control.report(0.0, state.complex.tet_count());
   smooth(state, options, options.growth_sweeps, 1.0, control);
   grow(state, options, control);
   smooth(state, options, options.final_sweeps, 1.0, control);
@@ -58,7 +59,7 @@ void refine_material(MeshState& state, const MaterialRefinementOptions& options,
     const int left = mender.run(3, control);
     const int above = count_above(state, state.threshold());
     control.report(0.6 + 0.4 * (round + 1) / kMostRounds, state.complex.tet_count());
-    if (left == 0) break;
+    if (left == 0 || state.complex.tet_count() >= options.most_tets) break;
     // Only into a part of them: each point relieves its neighbours too.
     const std::size_t most = std::max(8, above / 4);
     if (insert_steiner_points(state, state.threshold(), options.sizing.min_size, most, control) == 0) break;

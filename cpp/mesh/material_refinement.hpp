@@ -13,7 +13,7 @@ namespace fgmesh {
 struct MaterialRefinementOptions {
   SizingField sizing;
   QualityGoal goal;
-  std::size_t most_tets = 20000000;  ///< refinement stops there
+  int most_tets = 20000000;  ///< no Steiner points once the mesh has as many
 
   int growth_sweeps = 3;      ///< ODT sweeps after each round of Steiner points
   double growth_limit = 1.4;  ///< rounds of Steiner points go on until no tet is above this many thresholds

@@ -129,9 +129,8 @@ void odt_sweep(MeshState& state, double damping, RunControl& control) {
       break;
     }
   }
-  control.check();
   const OdtEnergy energy(state);
-  Swapper(state, energy).pass();
+  Swapper(state, energy).pass(&control);
 }
 
 }  // namespace fgmesh

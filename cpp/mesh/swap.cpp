@@ -167,10 +167,11 @@ bool Swapper::improve(int t) {
   return false;
 }
 
-int Swapper::pass() {
+int Swapper::pass(RunControl* control) {
   TetComplex& complex = state_.complex;
   int count = 0;
   for (int t = 0; t < complex.slots(); ++t) {
+    if (control && t % 1024 == 0) control->check();
     for (int face = 0; face < 4 && complex.tet(t).alive(); ++face)
       if (t < complex.tet(t).neighbour[face] && remove_face(t, face)) ++count;
     for (int e = 0; e < 6 && complex.tet(t).alive(); ++e) {

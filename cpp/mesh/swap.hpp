@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/run_control.hpp"
 #include "mesh/mesh_state.hpp"
 #include "mesh/tet_score.hpp"
 
@@ -74,8 +75,8 @@ class Swapper {
   /// Exchanges the face that t shares with its neighbour for an edge, if the three new tetrahedra cost less.
   bool remove_face(int t, int face);
 
-  /// Tries all edges and faces of the mesh once; returns how many were swapped.
-  int pass();
+  /// Tries all edges and faces of the mesh once, unless `control` stops it; returns how many were swapped.
+  int pass(RunControl* control = nullptr);
 
   /// Tries the edges and faces of one tetrahedron until one is swapped.
   bool improve(int t);

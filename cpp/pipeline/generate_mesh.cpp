@@ -117,7 +117,7 @@ std::string describe_misses(const MeshingResult& result, const ScalarField& fiel
             "smooth it (smoothstep).";
   } else {
     text << "Refinement stopped at the smallest size, " << options.min_size
-         << " mm: lower MinSize or raise the threshold.";
+         << " mm, or at the largest mesh allowed: lower MinSize, split the solid or raise the threshold.";
   }
   return text.str();
 }

@@ -257,7 +257,7 @@ TEST(UpdateSizes, LetsSizesGrowOnlyAsFastAsAsked) {
 }
 
 TEST(UpdateSizes, IsTheSizingFieldWhereThatIsSmooth) {
-  test::GridMesh mesh(10.0, 5, test::linear(Vec3(0.02, 0.03, 0.06)));  // |grad f| = 0.07
+  test::GridMesh mesh(8.0, 5, test::linear(Vec3(0.02, 0.03, 0.06)));  // |grad f| = 0.07
   update_sizes(mesh.state, {0.035, 0.01, 9.0, 0.5});
   for (const Vertex& vertex : mesh.state.vertices) EXPECT_NEAR(vertex.size, 0.5, 1e-12);
 }
