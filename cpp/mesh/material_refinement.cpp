@@ -54,8 +54,10 @@ void refine_material(MeshState& state, const MaterialRefinementOptions& options,
   const TetScore score(state, options.goal);
   WorstFirst mender(state, score);
   constexpr int kMostRounds = 20;
+  constexpr double kMany = 0.002;  // of the tetrahedra; fewer than that are mended better one by one
   for (int round = 0; round < kMostRounds; ++round) {
-    relax(state, options, control);
+    if (round == 0 || count_above(state, state.threshold()) > kMany * state.complex.tet_count())
+      relax(state, options, control);
     const int left = mender.run(3, control);
     const int above = count_above(state, state.threshold());
     control.report(0.6 + 0.4 * (round + 1) / kMostRounds, state.complex.tet_count());

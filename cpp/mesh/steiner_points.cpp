@@ -38,7 +38,7 @@ void yield_to_boundary(const MeshState& state, int& a, int& b, int& t) {
   state.complex.ring(a, b, t, ring);
   if (state.label_at(a, b, ring)) return;
   const Vec3 middle = 0.5 * (state.position(a) + state.position(b));
-  double longest = 0.0;
+  double longest = (state.position(a) - state.position(b)).norm();
   const std::vector<int> around = ring.tet;
   for (int near : around) {
     const Tet& tet = state.complex.tet(near);

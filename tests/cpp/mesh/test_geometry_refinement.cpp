@@ -72,7 +72,7 @@ INSTANTIATE_TEST_SUITE_P(Deviation, GeometryRefinement, testing::Values(0.2, 0.0
                          [](const auto& info) { return "N" + std::to_string(info.index); });
 
 TEST(GeometryRefinementOfABox, AddsNothingToFlatFaces) {
-  const test::BoxSolid box({Vec3::Zero(), Vec3(20, 15, 10)});
+  const test::BoxSolid box({Vec3::Zero(), Vec3(18, 12, 10)});
   test::RefinedPart part(box, kField, kThreshold);
   part.refine();
   const int before = test::vertex_count(part.state);
