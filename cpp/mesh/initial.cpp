@@ -57,7 +57,7 @@ CgalComplex run_cgal(const BrepDomain& domain, const SampledBoundary& samples,
   auto extra = params::mesh_3_options();
   extra.pointer_to_stop_atomic_boolean = &control.stop_flag();
 #endif
-  CGAL::get_default_random() = CGAL::Random(0);  // two runs give the same mesh
+  CGAL::get_default_random() = CGAL::Random(options.seed);  // two runs give the same mesh
   return CGAL::make_mesh_3<CgalComplex>(*domain.domain, criteria, params::manifold(), params::no_perturb(),
                                         params::no_exude(), extra);
 }

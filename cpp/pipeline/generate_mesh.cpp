@@ -151,6 +151,9 @@ MeshingResult generate_mesh(const std::string& shape, const ScalarField& materia
   asked.validate();
   control.begin_stage("reading");
   BrepModel model = BrepModel::from_text(shape, control);
+  if (model.solid_count() > 1)
+    throw GeometryError("the shape has " + std::to_string(model.solid_count()) +
+                        " solids; several at once are not available yet: mesh them one by one");
   const SampledBoundary samples = model.sample({}, control);
   const double diagonal = samples.bounds.diagonal();
   const MeshingOptions options = resolved(asked, diagonal);
@@ -160,7 +163,7 @@ MeshingResult generate_mesh(const std::string& shape, const ScalarField& materia
   MeshState state(model, material, options.material_threshold, diagonal);
   state.chord_limit = kInitialDeviation * options.max_size;
   run_stage("initial", state, result, control, [&] {
-    make_initial_mesh(state, samples, {options.max_size, state.chord_limit}, control);
+    make_initial_mesh(state, samples, {options.max_size, state.chord_limit, options.seed}, control);
   });
   if (options.stop_after != "initial") {
     run_stage("material", state, result, control, [&] {
