@@ -101,12 +101,13 @@ double chord_error(const MeshState& state, const Vertex& a, const Vertex& b, int
 }
 
 void limit_growth(MeshState& state, double growth) {
-  constexpr int kPasses =
-      8;  // each carries a limit across one more element; sizes change little between sweeps
-  for (int pass = 0; pass < kPasses; ++pass) {
-    bool changed = false;
-    for (int t = 0; t < state.complex.slots(); ++t) {
-      const Tet& tet = state.complex.tet(t);
+  // Each pass carries a limit along the order of the tetrahedra, the next one back.
+  const int slots = state.complex.slots();
+  bool changed = true;
+  for (bool forward = true; changed; forward = !forward) {
+    changed = false;
+    for (int i = 0; i < slots; ++i) {
+      const Tet& tet = state.complex.tet(forward ? i : slots - 1 - i);
       if (!tet.alive()) continue;
       for (const auto& edge : kEdgeVertices) {
         Vertex &a = state.vertices[tet.vertex[edge[0]]], &b = state.vertices[tet.vertex[edge[1]]];
@@ -118,7 +119,6 @@ void limit_growth(MeshState& state, double growth) {
         }
       }
     }
-    if (!changed) break;
   }
 }
 

@@ -44,6 +44,5 @@ TEST(SizingField, IsFiniteForNoNumber) {
   EXPECT_LE(found, 4.0);
 }
 
-
 }  // namespace
 }  // namespace fgmesh

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <memory>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,8 @@ struct Part {
   std::shared_ptr<test::AnalyticSolid> solid;
   int faces, corners;
 };
+
+void PrintTo(const Part& part, std::ostream* stream) { *stream << part.name; }
 
 std::vector<Part> parts() {
   return {{"Box", std::make_shared<test::BoxSolid>(Box{Vec3(-10, 0, 5), Vec3(20, 15, 15)}), 6, 8},

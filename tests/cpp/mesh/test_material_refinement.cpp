@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
+#include <ostream>
 #include <string>
+#include <vector>
 
 #include "core/error.hpp"
 #include "mesh/steiner_points.hpp"
@@ -42,6 +45,8 @@ double over_ball(const std::function<double(double)>& slope) {
   return sum;
 }
 
+void PrintTo(const Case& part, std::ostream* stream) { *stream << part.name; }
+
 std::vector<Case> cases() {
   const auto exponential_slope = [](double d) { return 0.15 * std::exp(-0.15 * d); };
   const test::FunctionField ramp = test::linear(Vec3(0.05, 0, 0), 0.5);
@@ -52,15 +57,15 @@ std::vector<Case> cases() {
       {"BallExponentialCoarse", kBall, test::exponential(0.15), 0.5, 0.0},
       {"BallExponential", kBall, test::exponential(0.15), 0.1, over_ball(exponential_slope)},
       // A gradient that is not unique at the centre, and one that is infinite there.
-      {"BallDistance", kBall, test::radial([](double d) { return d / 10; }, [](double) { return 0.1; }), 0.1,
+      {"BallDistance", kBall, test::radial([](double d) { return d / 10; }, [](double) { return 0.1; }), 0.2,
        over_ball([](double) { return 0.1; })},
       {"BallRootOfDistance", kBall,
        test::radial([](double d) { return std::sqrt(d / 10); },
                     [](double d) { return 0.05 / std::sqrt(d / 10); }),
-       0.1, 0.0},
+       0.2, 0.0},
       // One that vanishes, so that the largest size rules.
       {"BallSquare", kBall,
-       test::radial([](double d) { return d * d / 100; }, [](double d) { return d / 50; }), 0.1, 0.0},
+       test::radial([](double d) { return d * d / 100; }, [](double d) { return d / 50; }), 0.2, 0.0},
       {"CylinderCube",
        kCylinder,
        {[](const Vec3& p) { return std::pow(p.z() / 20, 3); },
@@ -70,7 +75,7 @@ std::vector<Case> cases() {
       {"CubeLayer", kCube,
        test::along_x([](double x) { return 0.5 + 0.5 * std::tanh(x / 3); },
                      [](double x) { return 0.5 / 3 / std::pow(std::cosh(x / 3), 2); }),
-       0.1, 0.0},
+       0.2, 0.0},
   };
 }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <utility>
 
 #include "mesh/steiner_points.hpp"
 #include "mesh_checks.hpp"
@@ -75,19 +74,18 @@ TEST(SteinerPoints, AreNoMoreThanAsked) {
   EXPECT_LE(test::vertex_count(mesh.state), 64 + 5);
 }
 
-TEST(SteinerPoints, MakeNoEdgeShorterThanTheSmallestSize) {
-  constexpr double kMinSize = 0.2;
-  test::GridMesh mesh(1.0, 2, test::linear(Vec3(1, 0, 0)), 0.01);
+TEST(SteinerPoints, HalveNoEdgeBelowTheSmallestSize) {
+  // The edges of the grid are 1/2, 1/sqrt 2 and sqrt 3 / 2 long.
+  const test::FunctionField field = test::linear(Vec3(1, 0, 0));
   RunControl control;
-  for (int round = 0; round < 30; ++round)
-    if (insert_steiner_points(mesh.state, 0.01, kMinSize, 1000000, control) == 0) break;
-  EXPECT_EQ(insert_steiner_points(mesh.state, 0.01, kMinSize, 1000000, control), 0);
-  double shortest = 1.0;
-  for (const auto& [a, b, c, d] : mesh.state.to_tet_mesh().tets) {
-    for (const auto& [p, q] : {std::pair{a, b}, {a, c}, {a, d}, {b, c}, {b, d}, {c, d}})
-      shortest = std::min(shortest, (mesh.state.position(p) - mesh.state.position(q)).norm());
+  test::GridMesh none(1.0, 2, field), diagonals(1.0, 2, field);
+  EXPECT_EQ(insert_steiner_points(none.state, 0.1, 0.45, 1000000, control), 0);
+  EXPECT_GT(insert_steiner_points(diagonals.state, 0.1, 0.3, 1000000, control), 0);
+  for (const Vec3& p : diagonals.state.to_tet_mesh().points) {
+    int off_grid = 0;
+    for (int axis = 0; axis < 3; ++axis) off_grid += 2.0 * p[axis] != std::round(2.0 * p[axis]);
+    EXPECT_NE(off_grid, 1) << "the middle of an edge of length 1/2";
   }
-  EXPECT_GE(shortest, kMinSize);
 }
 
 TEST(SteinerPoints, DoNotChaseAJump) {

@@ -6,7 +6,9 @@
 #include <array>
 #include <functional>
 #include <limits>
+#include <ostream>
 #include <string>
+#include <vector>
 
 #include "box_grid.hpp"
 #include "quality/validity.hpp"
