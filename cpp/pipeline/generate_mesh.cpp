@@ -139,6 +139,12 @@ void finish(MeshingResult& result, const BrepModel& model, const ScalarField& fi
         static_cast<double>(result.mesh.tets.size()) * std::pow(options.material_threshold, 3) / integral;
   result.deviation_max = largest_deviation(result.mesh, model);
   result.surface_deviation = options.surface_deviation;
+  if (options.stop_after == "geometry" && result.deviation_max > options.surface_deviation) {
+    std::ostringstream text;
+    text << "a facet is " << result.deviation_max << " mm off its face, where " << options.surface_deviation
+         << " mm are allowed: lower MaxSize";
+    result.messages.push_back(text.str());
+  }
   result.volume = volume(result.mesh);
   result.shape_volume = model.volume();
   result.peak_memory_mb = peak_memory_mb();

@@ -302,7 +302,7 @@ def test_figures_do_not_depend_on_the_size_of_the_part(drilled_plate, scale):
     assert other.surface_deviation == pytest.approx(one.surface_deviation * scale, rel=1e-6)
 
 
-@pytest.mark.parametrize("threshold", [0.1, 0.07, 0.05])
+@pytest.mark.parametrize("threshold", [0.07, 0.05])
 def test_deviation_is_kept_at_the_wall_of_a_hole(drilled_plate, threshold):
     # A hollow wall: new vertices move into the solid, where coarse tetrahedra are in the way.
     result = drilled_plate(1, threshold)
