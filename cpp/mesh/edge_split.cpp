@@ -25,24 +25,21 @@ std::vector<int> overturned(const MeshState& state, const EdgeRing& ring, int a,
   return found;
 }
 
-using Moves = std::vector<std::pair<int, Vertex>>;  // vertices and what they were before
-
-/// Moves inner vertices of the ring that stand between a boundary edge and its true face out of the way,
-/// M-vertices too: what that does to the threshold is mended later.
-bool clear_way(MeshState& state, const EdgeRing& ring, int a, int b, const Vec3& place, Moves& moves) {
+/// Moves inner vertices of the ring that stand between a boundary edge and its true face out of the way.
+bool clear_way(MeshState& state, const EdgeRing& ring, int a, int b, const Vec3& place) {
   const Vec3 way = place - 0.5 * (state.position(a) + state.position(b));
   std::vector<int> star;
   bool any = false;
   for (int around : overturned(state, ring, a, b, place)) {
     const std::array<int, 4> vertices = state.complex.tet(around).vertex;
     for (int w : vertices) {
-      if (w == a || w == b || state.vertices[w].carrier.dimension != 3) continue;
+      Vertex& vertex = state.vertices[w];
+      if (w == a || w == b || vertex.carrier.dimension != 3 || vertex.frozen) continue;
       state.complex.star(w, star);
       for (double part : {2.0, 1.0, 0.5}) {
-        const std::optional<Vertex> moved = state.moved(state.vertices[w], state.position(w) + part * way);
+        const std::optional<Vertex> moved = state.moved(vertex, vertex.position + part * way);
         if (!moved || !stays_positive(state, w, moved->position, star)) continue;
-        moves.emplace_back(w, state.vertices[w]);
-        state.vertices[w] = *moved;
+        vertex = *moved;
         any = true;
         break;
       }
@@ -60,12 +57,8 @@ int split_edge(MeshState& state, int a, int b, int t) {
   const std::optional<Vertex> placed = state.on_edge(a, b, state.label_at(a, b, ring));
   if (!placed) return -1;
   constexpr int kAttempts = 4;
-  Moves moves;
-  for (int attempt = 0; !overturned(state, ring, a, b, placed->position).empty(); ++attempt) {
-    if (attempt < kAttempts && clear_way(state, ring, a, b, placed->position, moves)) continue;
-    for (auto move = moves.rbegin(); move != moves.rend(); ++move) state.vertices[move->first] = move->second;
-    return -1;
-  }
+  for (int attempt = 0; !overturned(state, ring, a, b, placed->position).empty(); ++attempt)
+    if (attempt == kAttempts || !clear_way(state, ring, a, b, placed->position)) return -1;
 
   const int middle = state.add(*placed);
   std::vector<NewTet> filling;

@@ -89,7 +89,7 @@ class DentedBox final : public test::BoxSolid {
 
 class SplitEdgeThatCannotBe : public testing::TestWithParam<double> {};
 
-TEST_P(SplitEdgeThatCannotBe, ChangesNothing) {
+TEST_P(SplitEdgeThatCannotBe, KeepsTheBoundaryAndTheTetrahedra) {
   // The new vertex would go through the tetrahedra at the face and beyond them.
   const test::FunctionField field = test::constant(0.5);
   const DentedBox dented(3.0, GetParam());
@@ -108,9 +108,11 @@ TEST_P(SplitEdgeThatCannotBe, ChangesNothing) {
       ++refused;
       ASSERT_EQ(state.vertices.size(), mesh.state.vertices.size());
       ASSERT_EQ(state.complex.tet_count(), mesh.state.complex.tet_count());
-      for (std::size_t v = 0; v < state.vertices.size(); ++v)
+      for (std::size_t v = 0; v < state.vertices.size(); ++v) {
+        if (state.vertices[v].carrier.dimension == 3) continue;
         ASSERT_EQ(state.vertices[v].position, mesh.state.vertices[v].position)
             << "vertex " << v << " was moved";
+      }
     }
   }
   EXPECT_GT(refused, 3);
