@@ -4,48 +4,52 @@
 namespace fgmesh {
 namespace {
 
-std::array<int, 4> with_vertex(std::array<int, 4> tet, int old_vertex, int new_vertex) {
-  for (int& v : tet)
-    if (v == old_vertex) v = new_vertex;
-  return tet;
-}
+/// The tetrahedra that a new vertex replaces: the ring of an edge, and those behind ring faces that the
+/// vertex does not see from inside.
+struct Cavity {
+  std::vector<int> tets;
+  std::vector<NewTet> filling;  ///< the faces of the hole joined with the new vertex, which is kApex here
+  static constexpr int kApex = -1;
+};
 
-/// The tetrahedra of the ring that a vertex at `place` instead of a or b would turn over.
-std::vector<int> overturned(const MeshState& state, const EdgeRing& ring, int a, int b, const Vec3& place) {
-  std::vector<int> found;
-  for (int around : ring.tet) {
-    const std::array<int, 4>& v = state.complex.tet(around).vertex;
-    bool positive = true;
-    for (int end : {a, b}) {
-      const auto at = [&](int i) -> const Vec3& { return v[i] == end ? place : state.position(v[i]); };
-      positive = positive && is_positive(at(0), at(1), at(2), at(3));
+/// Fills `cavity`, which holds the ring of (a, b), for a vertex at `place`. Faces that the vertex does not
+/// see are opened by taking in the tetrahedron behind them; false where one of them is labelled.
+bool open_cavity(const MeshState& state, int a, int b, const Vec3& place, Cavity& cavity) {
+  constexpr std::size_t kLargest = 96;
+  const TetComplex& complex = state.complex;
+  const int stamp = complex.fresh_stamp();
+  for (int t : cavity.tets) complex.mark(t, stamp);
+  // Taking a tetrahedron in covers faces met before, so the faces are gathered once all are in.
+  for (std::size_t next = 0; next < cavity.tets.size(); ++next) {
+    const Tet& tet = complex.tet(cavity.tets[next]);
+    for (int i = 0; i < 4; ++i) {
+      const int behind = tet.neighbour[i];
+      if (behind >= 0 && !tet.label[i] && complex.marked(behind, stamp)) continue;
+      if (tet.vertex[i] != a && tet.vertex[i] != b && tet.has(a) && tet.has(b)) continue;  // at the edge
+      const auto at = [&](int k) -> const Vec3& { return k == i ? place : state.position(tet.vertex[k]); };
+      if (is_positive(at(0), at(1), at(2), at(3))) continue;
+      if (behind < 0 || tet.label[i] || cavity.tets.size() == kLargest) return false;
+      complex.mark(behind, stamp);
+      cavity.tets.push_back(behind);
     }
-    if (!positive) found.push_back(around);
   }
-  return found;
-}
-
-/// Moves inner vertices of the ring that stand between a boundary edge and its true face out of the way.
-bool clear_way(MeshState& state, const EdgeRing& ring, int a, int b, const Vec3& place) {
-  const Vec3 way = place - 0.5 * (state.position(a) + state.position(b));
-  std::vector<int> star;
-  bool any = false;
-  for (int around : overturned(state, ring, a, b, place)) {
-    const std::array<int, 4> vertices = state.complex.tet(around).vertex;
-    for (int w : vertices) {
-      Vertex& vertex = state.vertices[w];
-      if (w == a || w == b || vertex.carrier.dimension != 3 || vertex.frozen) continue;
-      state.complex.star(w, star);
-      for (double part : {2.0, 1.0, 0.5}) {
-        const std::optional<Vertex> moved = state.moved(vertex, vertex.position + part * way);
-        if (!moved || !stays_positive(state, w, moved->position, star)) continue;
-        vertex = *moved;
-        any = true;
-        break;
+  for (int t : cavity.tets) {
+    const Tet& tet = complex.tet(t);
+    for (int i = 0; i < 4; ++i) {
+      const int behind = tet.neighbour[i];
+      if (behind >= 0 && complex.marked(behind, stamp)) {
+        // Two solids of one cavity stay apart.
+        const bool at_edge = tet.vertex[i] != a && tet.vertex[i] != b && tet.has(a) && tet.has(b);
+        if (tet.label[i] && !at_edge) return false;
+        continue;
       }
+      if (tet.vertex[i] != a && tet.vertex[i] != b && tet.has(a) && tet.has(b)) continue;
+      NewTet made{tet.vertex, tet.solid};
+      made.vertex[i] = Cavity::kApex;
+      cavity.filling.push_back(made);
     }
   }
-  return any;
+  return true;
 }
 
 }  // namespace
@@ -56,17 +60,16 @@ int split_edge(MeshState& state, int a, int b, int t) {
   complex.ring(a, b, t, ring);
   const std::optional<Vertex> placed = state.on_edge(a, b, state.label_at(a, b, ring));
   if (!placed) return -1;
-  constexpr int kAttempts = 4;
-  for (int attempt = 0; !overturned(state, ring, a, b, placed->position).empty(); ++attempt)
-    if (attempt == kAttempts || !clear_way(state, ring, a, b, placed->position)) return -1;
+  Cavity cavity;
+  cavity.tets = ring.tet;
+  if (!open_cavity(state, a, b, placed->position, cavity)) return -1;
 
   const int middle = state.add(*placed);
-  std::vector<NewTet> filling;
+  for (NewTet& made : cavity.filling)
+    std::replace(made.vertex.begin(), made.vertex.end(), Cavity::kApex, middle);
   std::vector<LabelledFacet> facets;
   for (int around : ring.tet) {
     const Tet& tet = complex.tet(around);
-    filling.push_back({with_vertex(tet.vertex, a, middle), tet.solid});
-    filling.push_back({with_vertex(tet.vertex, b, middle), tet.solid});
     for (int i = 0; i < 4; ++i) {
       if (!tet.label[i] || tet.vertex[i] == a || tet.vertex[i] == b) continue;
       int apex = -1;  // of the labelled facet, beside a and b
@@ -76,7 +79,7 @@ int split_edge(MeshState& state, int a, int b, int t) {
       facets.push_back({{middle, b, apex}, tet.label[i]});
     }
   }
-  complex.replace(ring.tet, filling, facets);
+  complex.replace(cavity.tets, cavity.filling, facets);
   if (const int edge = complex.crease(a, b)) {
     complex.clear_crease(a, b);
     complex.set_crease(a, middle, edge);
