@@ -7,12 +7,17 @@
 namespace fgmesh {
 
 /// Splits the edge (a, b), which tetrahedron t has, by a new vertex half-way, on the edge's carrier.
-/// Returns the vertex; -1 where that would turn a tetrahedron over: no vertex was added then, but inner ones
-/// may have made way, so that a later call gets farther.
+/// Where the new vertex lies beyond a face of the tetrahedra around the edge (a hollow wall), those behind that
+/// face make room too, inner vertices among them may go. Returns the vertex; -1, and nothing is changed, where
+/// the boundary is in the way.
 int split_edge(MeshState& state, int a, int b, int t);
 
-/// Splits boundary edges until none is farther from the true boundary than allowed_chord_error(), or would
-/// become shorter than min_size. Returns how many were split.
+/// Splits a boundary edge, or, as long as a facet at it has a longer one, that edge instead: bisection of the
+/// longest edge keeps facets from degenerating (Rivara 1984). Returns as split_edge().
+int split_boundary_edge(MeshState& state, int a, int b, int t);
+
+/// Splits boundary edges that are farther from the true boundary than allowed_chord_error(), until they are
+/// not, would become shorter than min_size, or cannot be split. Returns how many were.
 int resolve_boundary(MeshState& state, double min_size, RunControl& control);
 
 }  // namespace fgmesh

@@ -63,7 +63,7 @@ int split_boundary(MeshState& state, const GeometryRefinementOptions& options, R
       if (*std::max_element(facet.begin(), facet.end()) >= old_vertices) continue;
       if (facet_deviation(state, t, face) <= options.deviation) continue;
       const auto [a, b] = edge_to_split(state, facet, tet.label[face]);
-      if (length(state, a, b) >= 2.0 * options.min_size && split_edge(state, a, b, t) >= 0) ++count;
+      if (length(state, a, b) >= 2.0 * options.min_size && split_boundary_edge(state, a, b, t) >= 0) ++count;
     }
   }
   return count;

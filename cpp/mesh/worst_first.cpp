@@ -6,6 +6,12 @@
 #include "mesh/odt_smoothing.hpp"
 
 namespace fgmesh {
+namespace {
+
+/// A change of the connectivity is worth it where the worst score around it rises by this.
+constexpr double kClearly = 0.01;
+
+}  // namespace
 
 std::vector<int> WorstFirst::bad_tets(double least) const {
   std::vector<std::pair<double, int>> found;
@@ -122,10 +128,27 @@ bool WorstFirst::insert_vertex(int t) {
   for (int attempt = 0; attempt < 3 && improve_vertex(middle); ++attempt) continue;
   state_.complex.star(middle, star_);
   for (int around : star_) after = std::min(after, score_(around));
-  if (after > before + 0.01) return true;
-  collapse_edge(state_, middle, edge[0], score_, -std::numeric_limits<double>::infinity(),
-                std::numeric_limits<double>::infinity());
+  if (after > before + kClearly) return true;
+  collapse_edge(state_, middle, edge[0], score_, before - kClearly, std::numeric_limits<double>::infinity());
   return false;
+}
+
+bool WorstFirst::remove_vertex(int v) {
+  if (state_.vertices[v].frozen || state_.vertices[v].carrier.dimension != 3) return false;
+  state_.complex.star(v, star_);
+  double before = 1.0;
+  std::vector<int> neighbours;
+  for (int t : star_) {
+    before = std::min(before, score_(t));
+    const std::array<int, 4>& tet = state_.complex.tet(t).vertex;
+    neighbours.insert(neighbours.end(), tet.begin(), tet.end());
+  }
+  std::sort(neighbours.begin(), neighbours.end());
+  neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
+  return std::any_of(neighbours.begin(), neighbours.end(), [&](int target) {
+    return target != v && collapse_edge(state_, v, target, score_, before + kClearly,
+                                        std::numeric_limits<double>::infinity());
+  });
 }
 
 bool WorstFirst::mend(int t, Swapper& swapper) {
@@ -136,7 +159,9 @@ bool WorstFirst::mend(int t, Swapper& swapper) {
     any |= improve_vertex(v);
     if (score_(t) >= 1.0) return true;
   }
-  return any || (may_insert_ && insert_vertex(t));
+  if (any || !may_insert_) return any;
+  return std::any_of(vertices.begin(), vertices.end(), [&](int v) { return remove_vertex(v); }) ||
+         insert_vertex(t);
 }
 
 int WorstFirst::run(int rounds, RunControl& control) {

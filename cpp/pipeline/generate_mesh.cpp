@@ -140,9 +140,10 @@ void finish(MeshingResult& result, const BrepModel& model, const ScalarField& fi
   result.deviation_max = largest_deviation(result.mesh, model);
   result.surface_deviation = options.surface_deviation;
   if (options.stop_after == "geometry" && result.deviation_max > options.surface_deviation) {
+    if (result.status == "ok") result.status = "deviation_not_met";
     std::ostringstream text;
-    text << "a facet is " << result.deviation_max << " mm off its face, where " << options.surface_deviation
-         << " mm are allowed: lower MaxSize";
+    text << "the boundary is up to " << result.deviation_max << " mm off its faces, where "
+         << options.surface_deviation << " mm are allowed: lower MinSize, now " << options.min_size << " mm";
     result.messages.push_back(text.str());
   }
   result.volume = volume(result.mesh);

@@ -20,9 +20,10 @@ struct MeshingResult {
   std::vector<double> dihedral_min;  ///< smallest dihedral angle of each tetrahedron, degrees
   std::vector<StageReport> stages;   ///< those that ran, in order
 
-  /// "ok", or "threshold_not_met" where some tetrahedra stay above the threshold.
+  /// "ok"; "threshold_not_met" where some tetrahedra stay above the threshold; else "deviation_not_met" where
+  /// the finished boundary is farther from the true one than surface_deviation.
   std::string status = "ok";
-  /// For a reader: why the threshold is not met and where, what was healed, ...
+  /// For a reader: why a criterion is not met and where, what was healed, ...
   std::vector<std::string> messages;
   /// Indices of the tetrahedra above the threshold.
   std::vector<std::int32_t> above_threshold;

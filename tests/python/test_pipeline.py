@@ -144,7 +144,12 @@ def test_material_figures_are_those_of_the_arrays(case):
     np.testing.assert_array_equal(result.variation, variation)
     above = np.flatnonzero(variation > result.material_threshold)
     np.testing.assert_array_equal(result.above_threshold, above)
-    assert result.status == ("threshold_not_met" if len(above) else "ok")
+    if len(above):
+        assert result.status == "threshold_not_met"
+    else:
+        assert result.status == (
+            "deviation_not_met" if result.deviation_max > result.surface_deviation else "ok"
+        )
     stage = result.stages[-1]
     assert stage.above_threshold == len(above)
     assert stage.variation_min == variation.min() and stage.variation_max == variation.max()
@@ -302,7 +307,7 @@ def test_figures_do_not_depend_on_the_size_of_the_part(drilled_plate, scale):
     assert other.surface_deviation == pytest.approx(one.surface_deviation * scale, rel=1e-6)
 
 
-@pytest.mark.parametrize("threshold", [0.07, 0.05])
+@pytest.mark.parametrize("threshold", [0.1, 0.07, 0.05])
 def test_deviation_is_kept_at_the_wall_of_a_hole(drilled_plate, threshold):
     # A hollow wall: new vertices move into the solid, where coarse tetrahedra are in the way.
     result = drilled_plate(1, threshold)
@@ -313,6 +318,13 @@ def test_deviation_is_kept_at_the_wall_of_a_hole(drilled_plate, threshold):
     assert len(facets) > 50
     assert off.max() <= result.surface_deviation, f"{(off > result.surface_deviation).sum()} facets"
     assert result.deviation_max <= result.surface_deviation
+
+
+def test_a_deviation_that_cannot_be_kept_is_told(meshed):
+    result = meshed("cylinder", "z/12", material_threshold=0.5, surface_deviation=0.002, min_size=3.0)
+    assert result.deviation_max > result.surface_deviation == 0.002
+    assert result.status == "deviation_not_met"
+    assert "MinSize, now 3 mm" in result.messages[-1]
 
 
 def test_two_runs_give_the_same_bytes(brep):

@@ -20,7 +20,7 @@ material file:
 
 exit status:
   0 mesh written, every criterion met       3 shape refused or not meshable
-  1 a fault of the program's own            4 mesh written, threshold not met somewhere
+  1 a fault of the program's own            4 mesh written, threshold or deviation not met
   2 wrong usage, formula or file            5 stopped: time, memory or interrupt
 Unless the status is 0 or 4, nothing is written and existing files stay as they are.
 """

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from freecad.fgmesh.cli import interrupts
 
-OK, FAULT, USAGE, GEOMETRY, THRESHOLD, STOPPED = *range(5), interrupts.STOPPED
+OK, FAULT, USAGE, GEOMETRY, UNMET, STOPPED = *range(5), interrupts.STOPPED
 
 
 def main(argv=None):
@@ -66,7 +66,7 @@ def _mesh(parsed):
     if not (met and parsed.quiet):
         for message in result.messages:
             _say(message)
-    return OK if met else THRESHOLD
+    return OK if met else UNMET
 
 
 def _refuse_unavailable(parsed):
