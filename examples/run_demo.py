@@ -7,8 +7,8 @@
 FORMULA is the fraction of the first constituent, over x y z r theta d (mm, radians). BUILD_DIR/demo receives
 for each case the document, the mesh, the report and pictures of every stage; a table of figures is printed.
 
-Exit status: 0 done; 1 not done; 2 wrong usage, formula or file; 3 shape refused; 4 done, but the threshold is
-not met.
+Exit status: 0 done; 1 not done; 2 wrong usage, formula or file; 3 shape refused; 4 done, but the threshold or
+the surface deviation is not met.
 """
 import importlib
 import os

@@ -25,3 +25,17 @@ def build_dir():
 @pytest.fixture(scope="session")
 def source_dir():
     return ROOT
+
+
+@pytest.fixture
+def coarse_mesh(build_dir):
+    """A function: makes the mesh object of a graded solid, meshes it with few tetrahedra and returns it."""
+    import freecad.fgmesh as fgmesh
+
+    def make(solid):
+        mesh = fgmesh.make_mesh(solid.Document, solid)
+        mesh.MaterialThreshold = 0.3
+        fgmesh.generate(mesh)
+        return mesh
+
+    return make

@@ -82,8 +82,8 @@ void bind_options(py::module_& module) {
       "\nmaterial_threshold: largest difference of composition in a tetrahedron, in (0, 1]."
       "\nsurface_deviation: largest distance of a facet's centre to the true boundary."
       "\nmin_size, max_size: of edges. anisotropy: largest stretch across the gradient. order: 1 or 2."
-      "\nstop_after: \"initial\", \"material\" or \"geometry\". threads: 0: all processors. seed: of random "
-      "choices.";
+      "\nstop_after: \"initial\", \"material\" or \"geometry\". threads: without effect yet, one is used. "
+      "seed: of random choices.";
   py::class_<MeshingOptions> options(module, "MeshingOptions", doc.c_str());
   options.def(py::init(&options_from));
   for_each_option([&](const char* name, auto member) { options.def_readwrite(name, member); });

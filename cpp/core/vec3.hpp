@@ -3,11 +3,20 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <ostream>
 
 namespace fgmesh {
 
 /// A point or a direction in space; lengths are mm throughout.
 using Vec3 = Eigen::Vector3d;
+
+/// A point for a reader: "(1, 2.5, 0)".
+struct Shown {
+  const Vec3& point;
+};
+inline std::ostream& operator<<(std::ostream& out, const Shown& shown) {
+  return out << '(' << shown.point.x() << ", " << shown.point.y() << ", " << shown.point.z() << ')';
+}
 
 /// An axis-aligned box.
 struct Box {

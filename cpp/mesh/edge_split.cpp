@@ -4,157 +4,59 @@
 namespace fgmesh {
 namespace {
 
-/// A new vertex stands for itself by this until it has a number.
-constexpr int kApex = -1;
-
 /// Squared lengths that differ by less are alike.
 constexpr double kClearlyLonger = 1.0 + 1e-6;
 
-/// The hole that a new vertex on the edge (a, b) is put into: the tetrahedra around the edge, and whatever
-/// hides the faces of the hole from the vertex. With it, the labelled facets at the edge and those folded
-/// over.
-class Cavity {
- public:
-  /// False where the vertex cannot see the whole hole from `placed`.
-  Cavity(const MeshState& state, int a, int b, const std::vector<int>& ring, const Vertex& placed)
-      : tets(ring), state_(state), a_(a), b_(b), stamp_(state.complex.fresh_stamp()) {
-    for (int t : tets) {
-      state.complex.mark(t, stamp_);
-      const Tet& tet = state.complex.tet(t);
-      for (int i = 0; i < 4; ++i)
-        if (tet.label[i] && tet.vertex[i] != a && tet.vertex[i] != b) open(t, i);
+/// True where face i of the tetrahedron has the edge (a, b).
+bool at_edge(const Tet& tet, int i, int a, int b) {
+  return tet.vertex[i] != a && tet.vertex[i] != b && tet.has(a) && tet.has(b);
+}
+
+/// Grows `cavity`, at first the ring of (a, b), by the tetrahedra behind those of its faces that a vertex at
+/// `place` does not see from inside. False where such a face is labelled. The cavity is marked by `stamp`.
+bool open_cavity(const MeshState& state, int a, int b, const Vec3& place, std::vector<int>& cavity,
+                 int stamp) {
+  constexpr std::size_t kLargest = 96;
+  const TetComplex& complex = state.complex;
+  for (int t : cavity) complex.mark(t, stamp);
+  for (std::size_t next = 0; next < cavity.size(); ++next) {
+    const Tet& tet = complex.tet(cavity[next]);
+    for (int i = 0; i < 4; ++i) {
+      const int behind = tet.neighbour[i];
+      if (at_edge(tet, i, a, b) || (behind >= 0 && !tet.label[i] && complex.marked(behind, stamp))) continue;
+      const auto at = [&](int k) -> const Vec3& { return k == i ? place : state.position(tet.vertex[k]); };
+      if (is_positive(at(0), at(1), at(2), at(3))) continue;
+      if (behind < 0 || tet.label[i] || cavity.size() == kLargest) return false;
+      complex.mark(behind, stamp);
+      cavity.push_back(behind);
     }
-    const std::size_t opened_at_edge = opened_.size();
-    fits = grow(placed) && gather_tets() && gather_facets();
-    if (opened_.size() == opened_at_edge) return;
-    fits = fits && std::all_of(facets.begin(), facets.end(), [&](const LabelledFacet& facet) {
-             const Vertex &p = state.vertices[facet.vertex[0]], &q = state.vertices[facet.vertex[1]];
-             return faces_outward(p, q, placed);
-           });
   }
+  // A wall between two solids must not end inside.
+  return std::none_of(cavity.begin(), cavity.end(), [&](int t) {
+    const Tet& tet = complex.tet(t);
+    for (int i = 0; i < 4; ++i)
+      if (tet.label[i] && tet.neighbour[i] >= 0 && complex.marked(tet.neighbour[i], stamp) &&
+          !at_edge(tet, i, a, b))
+        return true;
+    return false;
+  });
+}
 
-  bool fits = false;
-  std::vector<int> tets;
-  std::vector<NewTet> filling;        ///< faces of the hole, joined with kApex
-  std::vector<LabelledFacet> facets;  ///< borders of the opened facets, joined with kApex
-
- private:
-  static constexpr std::size_t kLargest = 96;
-
-  // A labelled facet, with its vertices in the order of kFaceVertices (outward from the tetrahedron it was
-  // met in).
-  void open(int t, int face) {
-    const Tet& tet = state_.complex.tet(t);
-    const int* k = kFaceVertices[face];
-    if (!is_open(t, face))
-      opened_.push_back({{tet.vertex[k[0]], tet.vertex[k[1]], tet.vertex[k[2]]}, tet.label[face]});
-  }
-
-  bool is_open(int t, int face) const {
-    const Tet& tet = state_.complex.tet(t);
-    return tet.label[face] && std::any_of(opened_.begin(), opened_.end(), [&](const LabelledFacet& facet) {
-             return std::all_of(facet.vertex.begin(), facet.vertex.end(),
-                                [&](int v) { return v != tet.vertex[face] && tet.has(v); });
-           });
-  }
-
-  /// May be opened: shares an edge that is no crease with an opened facet of the same face.
-  bool continues_opened(int t, int face) const {
-    const Tet& tet = state_.complex.tet(t);
-    return std::any_of(opened_.begin(), opened_.end(), [&](const LabelledFacet& facet) {
-      if (facet.label != tet.label[face]) return false;
-      std::array<int, 3> shared{};
-      int count = 0;
-      for (int v : facet.vertex)
-        if (v != tet.vertex[face] && tet.has(v)) shared[count++] = v;
-      return count == 2 && !state_.complex.crease(shared[0], shared[1]);
-    });
-  }
-
-  bool take(int t) {
-    if (!state_.complex.mark(t, stamp_)) return true;
-    tets.push_back(t);
-    return tets.size() <= kLargest;
-  }
-
-  bool is_inside(int t, int face) const {
-    const Tet& tet = state_.complex.tet(t);
-    const int behind = tet.neighbour[face];
-    return !tet.label[face] && behind >= 0 && state_.complex.marked(behind, stamp_);
-  }
-
-  /// Takes in what hides a face of the hole from the vertex: the tetrahedron behind it, or the facet itself
-  /// where the surface would fold over it.
-  bool grow(const Vertex& placed) {
-    for (std::size_t next = 0; next < tets.size(); ++next) {
-      const int t = tets[next];
-      for (int i = 0; i < 4; ++i) {
-        if (is_inside(t, i) || is_open(t, i)) continue;
-        const Tet& tet = state_.complex.tet(t);
-        const auto at = [&](int k) -> const Vec3& {
-          return k == i ? placed.position : state_.position(tet.vertex[k]);
-        };
-        if (is_positive(at(0), at(1), at(2), at(3))) continue;
-        if (tet.label[i]) {
-          if (!continues_opened(t, i)) return false;
-          open(t, i);
-        }
-        if (tet.neighbour[i] >= 0 && !take(tet.neighbour[i])) return false;
-      }
+/// The faces of the marked cavity joined with a new vertex on (a, b).
+std::vector<NewTet> fill_cavity(const TetComplex& complex, int a, int b, int vertex,
+                                const std::vector<int>& cavity, int stamp) {
+  std::vector<NewTet> filling;
+  for (int t : cavity) {
+    const Tet& tet = complex.tet(t);
+    for (int i = 0; i < 4; ++i) {
+      const int behind = tet.neighbour[i];
+      if (at_edge(tet, i, a, b) || (behind >= 0 && complex.marked(behind, stamp))) continue;
+      filling.push_back({tet.vertex, tet.solid});
+      filling.back().vertex[i] = vertex;
     }
-    return true;
   }
-
-  bool gather_tets() {
-    for (int t : tets) {
-      const Tet& tet = state_.complex.tet(t);
-      for (int i = 0; i < 4; ++i) {
-        if (is_inside(t, i) || is_open(t, i)) continue;
-        // A wall between two solids must not end inside the hole.
-        if (tet.neighbour[i] >= 0 && state_.complex.marked(tet.neighbour[i], stamp_)) return false;
-        NewTet made{tet.vertex, tet.solid};
-        made.vertex[i] = kApex;
-        filling.push_back(made);
-      }
-    }
-    return true;
-  }
-
-  /// False where a crease or a vertex of the boundary would be lost.
-  bool gather_facets() {
-    for (const LabelledFacet& facet : opened_) {
-      for (int i = 0; i < 3; ++i) {
-        const int p = facet.vertex[i], q = facet.vertex[(i + 1) % 3];
-        const auto at_edge = [&](const LabelledFacet& other) {
-          const auto has = [&](int v) {
-            return std::find(other.vertex.begin(), other.vertex.end(), v) != other.vertex.end();
-          };
-          return has(p) && has(q);
-        };
-        const bool split = (p == a_ || p == b_) && (q == a_ || q == b_);
-        if (split) continue;
-        if (std::count_if(opened_.begin(), opened_.end(), at_edge) == 1) {
-          facets.push_back({{p, q, kApex}, facet.label});
-        } else if (state_.complex.crease(p, q)) {
-          return false;
-        }
-      }
-    }
-    return std::all_of(opened_.begin(), opened_.end(), [&](const LabelledFacet& facet) {
-      return std::all_of(facet.vertex.begin(), facet.vertex.end(), [&](int v) {
-        const auto borders = std::count_if(facets.begin(), facets.end(), [&](const LabelledFacet& border) {
-          return border.vertex[0] == v || border.vertex[1] == v;
-        });
-        return borders == 2 || (borders > 2 && (v == a_ || v == b_));
-      });
-    });
-  }
-
-  const MeshState& state_;
-  int a_, b_;
-  int stamp_;
-  std::vector<LabelledFacet> opened_;
-};
+  return filling;
+}
 
 }  // namespace
 
@@ -164,19 +66,60 @@ int split_edge(MeshState& state, int a, int b, int t) {
   complex.ring(a, b, t, ring);
   const std::optional<Vertex> placed = state.on_edge(a, b, state.label_at(a, b, ring));
   if (!placed) return -1;
-  Cavity cavity(state, a, b, ring.tet, *placed);
-  if (!cavity.fits) return -1;
+  std::vector<int> cavity = ring.tet;
+  const int stamp = complex.fresh_stamp();
+  if (!open_cavity(state, a, b, placed->position, cavity, stamp)) return -1;
 
   const int middle = state.add(*placed);
-  for (NewTet& made : cavity.filling) std::replace(made.vertex.begin(), made.vertex.end(), kApex, middle);
-  for (LabelledFacet& facet : cavity.facets) facet.vertex[2] = middle;
-  complex.replace(cavity.tets, cavity.filling, cavity.facets);
+  const std::vector<NewTet> filling = fill_cavity(complex, a, b, middle, cavity, stamp);
+  std::vector<LabelledFacet> facets;
+  for (int around : ring.tet) {
+    const Tet& tet = complex.tet(around);
+    for (int i = 0; i < 4; ++i) {
+      if (!tet.label[i] || tet.vertex[i] == a || tet.vertex[i] == b) continue;
+      int apex = -1;  // of the labelled facet, beside a and b
+      for (int j = 0; j < 4; ++j)
+        if (j != i && tet.vertex[j] != a && tet.vertex[j] != b) apex = tet.vertex[j];
+      facets.push_back({{a, middle, apex}, tet.label[i]});
+      facets.push_back({{middle, b, apex}, tet.label[i]});
+    }
+  }
+  complex.replace(cavity, filling, facets);
   if (const int edge = complex.crease(a, b)) {
     complex.clear_crease(a, b);
     complex.set_crease(a, middle, edge);
     complex.set_crease(middle, b, edge);
   }
   return middle;
+}
+
+bool insert_beside_edge(MeshState& state, int a, int b, const Vec3& place, const TetScore& score,
+                        double gain) {
+  TetComplex& complex = state.complex;
+  const int t = complex.find_edge(a, b);
+  if (t < 0) return false;
+  EdgeRing ring;
+  complex.ring(a, b, t, ring);
+  if (state.label_at(a, b, ring)) return false;
+  Vertex placed;
+  placed.position = place;
+  placed.size = 0.5 * (state.vertices[a].size + state.vertices[b].size);
+  if (!state.evaluate(placed)) return false;
+  std::vector<int> cavity = ring.tet;
+  const int stamp = complex.fresh_stamp();
+  if (!open_cavity(state, a, b, place, cavity, stamp)) return false;
+  double least = 1.0;
+  for (int old : cavity) least = std::min(least, score(old));
+  least += gain;
+
+  const int middle = static_cast<int>(state.vertices.size());
+  const std::vector<NewTet> filling = fill_cavity(complex, a, b, middle, cavity, stamp);
+  const auto vertex = [&](int v) -> const Vertex& { return v == middle ? placed : state.vertices[v]; };
+  for (const auto& [v, solid] : filling)
+    if (score.of(vertex(v[0]), vertex(v[1]), vertex(v[2]), vertex(v[3])) < least) return false;
+  state.add(placed);
+  complex.replace(cavity, filling, {});
+  return true;
 }
 
 int split_boundary_edge(MeshState& state, int a, int b, int t) {

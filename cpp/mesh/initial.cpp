@@ -109,8 +109,8 @@ void untangle(MeshState& state, RunControl& control) {
   Vec3 centre = Vec3::Zero();
   for (int v : state.complex.tet(left.front()).vertex) centre += 0.25 * state.position(v);
   std::ostringstream text;
-  text << "the initial mesh folds over at " << left.size() << " tetrahedra, the first at ("
-       << centre.transpose() << ") mm: the elements are too coarse for the shape there; lower MaxSize";
+  text << "the initial mesh folds over at " << left.size() << " tetrahedra, the first at " << Shown{centre}
+       << " mm: the elements are too coarse for the shape there; lower MaxSize";
   throw GeometryError(text.str());
 }
 

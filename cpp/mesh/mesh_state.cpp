@@ -19,8 +19,8 @@ constexpr double kPositionTolerance = 1e-7;
   } else {
     text << "the volume fraction is not a finite number";
   }
-  text << " at the point (" << p.x() << ", " << p.y() << ", " << p.z()
-       << ") of the solid; correct the formula, or bound it with clamp(..., 0, 1)";
+  text << " at the point " << Shown{p}
+       << " of the solid; correct the formula, or bound it with clamp(..., 0, 1)";
   throw InvalidInput(text.str());
 }
 

@@ -63,8 +63,6 @@ class TetComplex {
     tet_of_.push_back(-1);
     return vertex_slots() - 1;
   }
-  /// Forgets the newest vertex, which must not be in use.
-  void drop_last_vertex() { tet_of_.pop_back(); }
 
   /// All tetrahedra at vertex v, in `star` (its old content is dropped).
   void star(int v, std::vector<int>& star) const;

@@ -105,63 +105,39 @@ bool WorstFirst::improve_vertex(int v) {
 
 bool WorstFirst::insert_vertex(int t) {
   // Best inside, between two boundary vertices: that frees a tetrahedron squeezed flat against the boundary.
-  const std::array<int, 4> v = state_.complex.tet(t).vertex;
-  std::array<int, 2> edge = {-1, -1};
-  double largest = 0.0;
-  EdgeRing ring, best_ring;
+  const Tet tet = state_.complex.tet(t);
+  Vec3 inward = Vec3::Zero();
+  for (int i = 0; i < 4; ++i)
+    if (tet.label[i])
+      inward -= area_vector(state_.position(tet.vertex[kFaceVertices[i][0]]),
+                            state_.position(tet.vertex[kFaceVertices[i][1]]),
+                            state_.position(tet.vertex[kFaceVertices[i][2]]))
+                    .normalized();
   for (const auto& [i, j] : kEdgeVertices) {
-    state_.complex.ring(v[i], v[j], t, ring);
-    if (state_.label_at(v[i], v[j], ring)) continue;
-    const bool squeezed =
-        state_.vertices[v[i]].carrier.dimension < 3 && state_.vertices[v[j]].carrier.dimension < 3;
-    const double rank = (squeezed ? 4.0 : 1.0) * (state_.position(v[i]) - state_.position(v[j])).norm();
-    if (rank <= largest) continue;
-    largest = rank;
-    edge = {v[i], v[j]};
-    best_ring = ring;
+    const int a = tet.vertex[i], b = tet.vertex[j];
+    const Vec3 middle = 0.5 * (state_.position(a) + state_.position(b));
+    const double length = (state_.position(a) - state_.position(b)).norm();
+    for (double step : {0.3, 0.15, 0.6}) {
+      const std::array<Vec3, 3> ways = {inward, random_direction(), random_direction()};
+      for (const Vec3& way : ways)
+        if (insert_beside_edge(state_, a, b, middle + step * length * way, score_, kClearly)) return true;
+    }
   }
-  if (edge[0] < 0) return false;
-  double before = 1.0, after = 1.0;
-  for (int around : best_ring.tet) before = std::min(before, score_(around));
-  const int middle = split_edge(state_, edge[0], edge[1], t);
-  if (middle < 0) return false;
-  for (int attempt = 0; attempt < 3 && improve_vertex(middle); ++attempt) continue;
-  state_.complex.star(middle, star_);
-  for (int around : star_) after = std::min(after, score_(around));
-  if (after > before + kClearly) return true;
-  collapse_edge(state_, middle, edge[0], score_, before - kClearly, std::numeric_limits<double>::infinity());
   return false;
-}
-
-bool WorstFirst::remove_vertex(int v) {
-  if (state_.vertices[v].frozen || state_.vertices[v].carrier.dimension != 3) return false;
-  state_.complex.star(v, star_);
-  double before = 1.0;
-  std::vector<int> neighbours;
-  for (int t : star_) {
-    before = std::min(before, score_(t));
-    const std::array<int, 4>& tet = state_.complex.tet(t).vertex;
-    neighbours.insert(neighbours.end(), tet.begin(), tet.end());
-  }
-  std::sort(neighbours.begin(), neighbours.end());
-  neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
-  return std::any_of(neighbours.begin(), neighbours.end(), [&](int target) {
-    return target != v && collapse_edge(state_, v, target, score_, before + kClearly,
-                                        std::numeric_limits<double>::infinity());
-  });
 }
 
 bool WorstFirst::mend(int t, Swapper& swapper) {
   if (swapper.improve(t)) return true;
+  const double before = score_(t);
   bool any = false;
   const std::array<int, 4> vertices = state_.complex.tet(t).vertex;
   for (int v : vertices) {
     any |= improve_vertex(v);
     if (score_(t) >= 1.0) return true;
   }
-  if (any || !may_insert_) return any;
-  return std::any_of(vertices.begin(), vertices.end(), [&](int v) { return remove_vertex(v); }) ||
-         insert_vertex(t);
+  // Moves that gain next to nothing would keep the new vertex away for ever.
+  if (any && score_(t) > before + kClearly) return true;
+  return (may_insert_ && insert_vertex(t)) || any;
 }
 
 int WorstFirst::run(int rounds, RunControl& control) {

@@ -18,8 +18,8 @@ class WorstFirst {
   /// Goes over all tetrahedra that score below 1, at most `rounds` times. Returns how many are left.
   int run(int rounds, RunControl& control);
 
-  /// Also takes a vertex of a tetrahedron that neither swaps nor moves mend away, or puts a new one into it,
-  /// where that raises the worst score around it.
+  /// Also puts a new vertex into a tetrahedron that neither swaps nor moves mend, where that raises the worst
+  /// score around it.
   void allow_insertion() { may_insert_ = true; }
 
   /// Looks for a better place of one vertex. Returns whether its star's worst score rose.
@@ -31,7 +31,6 @@ class WorstFirst {
  private:
   bool mend(int t, Swapper& swapper);
   bool insert_vertex(int t);
-  bool remove_vertex(int v);
   Vec3 random_direction();
   double star_score(int v, const Vertex& moved, double stop_below) const;
 

@@ -108,9 +108,9 @@ std::string describe_misses(const MeshingResult& result, const ScalarField& fiel
   }
   std::ostringstream text;
   text << result.above_threshold.size() << " of " << result.mesh.tets.size()
-       << " tetrahedra stay above the threshold " << options.material_threshold << ", within ("
-       << low.transpose() << ") to (" << high.transpose() << ") mm; the worst varies by "
-       << result.variation[worst] << " at (" << centre.transpose() << "). ";
+       << " tetrahedra stay above the threshold " << options.material_threshold << ", within " << Shown{low}
+       << " to " << Shown{high} << " mm; the worst varies by " << result.variation[worst] << " at "
+       << Shown{centre} << ". ";
   if (jump) {
     text << "The volume fraction jumps there, so no mesh can keep the threshold: split the solid at the "
             "jump, or "

@@ -24,7 +24,7 @@ struct MeshingOptions {
   int order = 1;
   /// "initial", "material" or "geometry": the last stage to run.
   std::string stop_after = "geometry";
-  /// 0: all processors.
+  /// 0: all processors. Without effect yet: one is used.
   int threads = 0;
   std::uint32_t seed = 0;
 

@@ -68,7 +68,8 @@ class MeshingResult:
     triangles (t, 3) int32, boundary and interfaces, outward; triangle_faces (t,): N of FaceN.
     edges (e, 2) int32, mesh edges along B-Rep edges; edge_edges (e,): N of EdgeN.
     stages: list of StageReport; messages: list of str, for a reader.
-    status: "ok"; "threshold_not_met" (some tetrahedra stay above); else "deviation_not_met" (boundary too far off).
+    status: "ok"; "threshold_not_met" (some tetrahedra stay above); else "deviation_not_met" (the boundary is
+    farther from the true one than surface_deviation).
     element_ratio, deviation_max (mm), surface_deviation (mm), volume and shape_volume (mm^3), threads,
     peak_memory_mb: numbers. material_threshold: the threshold that was asked for.
     """

@@ -60,11 +60,9 @@ def graded_box(box, fgmesh):
 
 
 @pytest.fixture
-def mesh(graded_box, fgmesh):
-    """A mesh object of the graded box that needs few tetrahedra, meshed."""
-    mesh = fgmesh.make_mesh(graded_box.Document, graded_box)
-    mesh.MaterialThreshold = 0.3
-    fgmesh.generate(mesh)
+def mesh(graded_box, coarse_mesh):
+    """The coarse mesh of the graded box."""
+    mesh = coarse_mesh(graded_box)
     graded_box.Document.recompute()
     return mesh
 

@@ -146,15 +146,12 @@ def test_curved_faces(document, placement, fgmesh):
     assert np.hypot(own[:, 0], own[:, 1]) == pytest.approx(5, abs=1e-7)
 
 
-def test_body_in_a_placed_part(document, body, fgmesh):
+def test_body_in_a_placed_part(document, body, fgmesh, coarse_mesh):
     part = document.addObject("App::Part", "Part")
     part.Placement.Base = FreeCAD.Vector(0, 0, 50)
     part.addObject(body)
     document.recompute()
-    fgmesh.attach_material(body, "z/6")
-    mesh = fgmesh.make_mesh(document, body)
-    mesh.MaterialThreshold = 0.3
-    fgmesh.generate(mesh)
+    mesh = coarse_mesh(fgmesh.attach_material(body, "z/6"))
     document.recompute()
     assert (mesh.Status, mesh.isValid()) == ("ok", True)
     assert mesh.getParentGeoFeatureGroup() is part

@@ -45,7 +45,9 @@ answer += [len(mesh.Fractions) - mesh.PointCount]
     assert answer[7:] == ["ok", pytest.approx(0.5), ["ReadOnly"], 0]
 
 
-def test_booleans_of_placed_solids_stay_up_to_date(document, placement, fgmesh, tmp_path, in_fresh_freecad):
+def test_booleans_of_placed_solids_stay_up_to_date(
+    document, placement, fgmesh, coarse_mesh, tmp_path, in_fresh_freecad
+):
     """Computed again after reopening such a solid has other last digits, seams and tolerances."""
     box = document.addObject("Part::Box", "Box")
     box.Placement = placement
@@ -55,10 +57,7 @@ def test_booleans_of_placed_solids_stay_up_to_date(document, placement, fgmesh, 
     cut = document.addObject("Part::Cut", "Cut")
     cut.Base, cut.Tool, cut.Placement = box, ball, placement
     document.recompute()
-    fgmesh.attach_material(cut, "0.5+0*z")
-    mesh = fgmesh.make_mesh(document, cut)
-    mesh.MaterialThreshold = 0.3
-    fgmesh.generate(mesh)
+    coarse_mesh(fgmesh.attach_material(cut, "0.5+0*z"))
     path = str(tmp_path / "cut.FCStd")
     document.saveAs(path)
     answer = in_fresh_freecad(

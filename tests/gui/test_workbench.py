@@ -73,7 +73,7 @@ def artifacts(build_dir):
 
 
 @pytest.fixture
-def saved_document(tmp_path, build_dir):
+def saved_document(tmp_path, coarse_mesh):
     """A document with a meshed box that was saved without a GUI."""
     import FreeCAD
     import freecad.fgmesh as fgmesh
@@ -81,10 +81,7 @@ def saved_document(tmp_path, build_dir):
     document = FreeCAD.newDocument("Part")
     box = document.addObject("Part::Box", "Box")
     document.recompute()
-    fgmesh.attach_material(box, "z/10")
-    mesh = fgmesh.make_mesh(document, box)
-    mesh.MaterialThreshold = 0.3
-    fgmesh.generate(mesh)
+    coarse_mesh(fgmesh.attach_material(box, "z/10"))
     path = str(tmp_path / "part.FCStd")
     document.saveAs(path)
     FreeCAD.closeDocument(document.Name)

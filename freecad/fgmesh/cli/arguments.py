@@ -36,7 +36,7 @@ def build_parser(defaults, version):
         allow_abbrev=False,
     )
     parser.add_argument("--version", action="version", version=f"fgmesh {version}")
-    parser.add_argument("part", metavar="PART", help="STEP or BREP file of one or more solids")
+    parser.add_argument("part", metavar="PART", help="STEP or BREP file of one solid")
     _add_material(parser.add_argument_group("material"))
     _add_mesh(parser.add_argument_group("mesh"), defaults)
     _add_run(parser.add_argument_group("run"), defaults)
@@ -90,7 +90,7 @@ def _add_run(group, defaults):
         "--threads",
         metavar="N",
         type=whole(0, 2**31 - 1),
-        help="number of threads (default: all processors)",
+        help="number of threads; without effect yet, one is used",
     )
     add("--seed", metavar="N", type=whole(0, 2**32 - 1), help=f"random seed (default {defaults.seed})")
     add("--time-limit", metavar="S", type=limit, default=0.0, help="stop after so many seconds")

@@ -14,6 +14,7 @@ from freecad.fgmesh.model import fingerprint, presentation
 from freecad.fgmesh.model.graded_solid import has_material
 from freecad.fgmesh.model.kept_meshes import KeptMeshes
 from freecad.fgmesh.model.options import OPTIONS, add_missing_options
+from freecad.fgmesh.model.stateless import Stateless
 from freecad.fgmesh.model.transaction import transaction
 
 NOT_MESHED = "not meshed yet"
@@ -40,8 +41,8 @@ _RESULTS = (
 _HIDDEN = {"Fractions", "Fingerprint"}
 
 
-class MeshObject:
-    """The proxy. It has no state that is saved: everything is in the object's properties."""
+class MeshObject(Stateless):
+    """The proxy."""
 
     def __init__(self, mesh):
         _add_missing_properties(mesh)
@@ -67,16 +68,6 @@ class MeshObject:
     def onDocumentRestored(self, mesh):
         _add_missing_properties(mesh)
         presentation.show(mesh)
-
-    # FreeCAD 0.20 calls the first pair, 1.x the second.
-    def __getstate__(self):
-        return None
-
-    def __setstate__(self, state):
-        pass
-
-    dumps = __getstate__
-    loads = __setstate__
 
 
 def make_mesh(document, solid, name="FGMesh"):
@@ -156,6 +147,8 @@ def _status(mesh):
     if report["status"] == "threshold_not_met":
         above = report["stages"][-1]["variation"]["above_threshold"]
         return f"threshold_not_met: {above} of {mesh.TetCount} tetrahedra, up to {mesh.VariationMax:.3g}"
+    if report["status"] == "deviation_not_met":
+        return f"deviation_not_met: the boundary is up to {report['deviation_max']:.3g} mm off its faces"
     return report["status"]
 
 

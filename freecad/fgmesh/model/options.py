@@ -45,12 +45,21 @@ OPTIONS = (
         "Anisotropy",
         "anisotropy",
         "App::PropertyFloat",
-        "Largest stretch of an element across the gradient; 1: isotropic",
+        "Largest stretch of an element across the gradient; 1: isotropic (more is not available yet)",
     ),
-    Option("SecondOrder", "order", "App::PropertyBool", "Ten-node tetrahedra in place of four-node ones"),
+    Option(
+        "SecondOrder",
+        "order",
+        "App::PropertyBool",
+        "Ten-node tetrahedra in place of four-node ones (not available yet)",
+    ),
     Option("StopAfter", "stop_after", "App::PropertyEnumeration", "The last of the three stages to run"),
     Option(
-        "Threads", "threads", "App::PropertyInteger", "Processors to use; 0: all of them", shapes_mesh=False
+        "Threads",
+        "threads",
+        "App::PropertyInteger",
+        "Processors to use; without effect yet, one is used",
+        shapes_mesh=False,
     ),
     Option(
         "Seed", "seed", "App::PropertyInteger", "Start of the random numbers; the same seed, the same mesh"

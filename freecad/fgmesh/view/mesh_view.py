@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The mesh object in the tree and in the 3D view: FreeCAD's own Fem mesh display under an icon of ours."""
+from freecad.fgmesh.model.stateless import Stateless
 from freecad.fgmesh.view import ICON
 
 
-class MeshView:
-    """The proxy of the view provider. It has no state."""
+class MeshView(Stateless):
+    """The proxy of the view provider."""
 
     def __init__(self, view):
         view.Proxy = self
@@ -14,16 +15,6 @@ class MeshView:
 
     def attach(self, view):
         pass
-
-    # FreeCAD 0.20 calls the first pair, 1.x the second.
-    def __getstate__(self):
-        return None
-
-    def __setstate__(self, state):
-        pass
-
-    dumps = __getstate__
-    loads = __setstate__
 
 
 def show(mesh):

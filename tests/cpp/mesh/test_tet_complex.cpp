@@ -229,8 +229,6 @@ TEST(Replace, LeavesVerticesThatAreNoMoreInUse) {
   complex.replace(std::vector<int>(complex.created()), fan(4, true), {});
   EXPECT_EQ(find_fault(complex), "");
   EXPECT_EQ(complex.tet_at(apex), -1);
-  complex.drop_last_vertex();
-  EXPECT_EQ(complex.vertex_slots(), 6);
 }
 
 TEST(Creases, AreFoundFromBothEndsAndListedInOrder) {
