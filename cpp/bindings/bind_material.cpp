@@ -62,11 +62,13 @@ std::pair<double, double> bounds(const Material& material, const Vec3& low, cons
 }
 
 constexpr char kMaterialDoc[] =
-    R"(Material(fractions, parameters={}, origin=(0, 0, 0), rotation=identity)
+    R"(Material(fractions, parameters={}, origin=(0, 0, 0), rotation=identity, references=[])
 
 A graded material of two constituents. fractions: a list of one formula, the volume fraction of the first
-constituent over x y z r theta d, pi, e and the parameters. parameters: dict of name to number. origin (mm) and
-rotation (3x3, columns are the axes) place the frame that the formula measures in. Immutable.
+constituent over x y z r theta d, pi, e, the parameters and the distances to references. parameters: dict of name
+to number. origin (mm) and rotation (3x3, columns are the axes) place the frame that the formula measures in.
+references: a list of Reference, see core.references(); d1 d2 ... are the distances to them in mm, to the boundary
+where they are solids; s1 s2 ... those to solids with a sign, below zero inside. Immutable.
 Raises FormulaError where the text is no formula, InvalidInput for a parameter or frame that has no meaning.)";
 
 }  // namespace
@@ -75,16 +77,18 @@ void bind_material(py::module_& module) {
   py::class_<Material>(module, "Material", kMaterialDoc)
       .def(py::init([](const std::vector<std::string>& fractions,
                        const std::map<std::string, double>& parameters, const Vec3& origin,
-                       const Eigen::Matrix3d& rotation) {
-             return std::make_unique<Material>(fractions, parameters, Frame{origin, rotation});
+                       const Eigen::Matrix3d& rotation, const std::vector<Reference>& references) {
+             return std::make_unique<Material>(fractions, parameters, Frame{origin, rotation}, references);
            }),
            py::arg("fractions"), py::arg("parameters") = std::map<std::string, double>(),
-           py::arg("origin") = Frame().origin, py::arg("rotation") = Frame().rotation)
+           py::arg("origin") = Frame().origin, py::arg("rotation") = Frame().rotation,
+           py::arg("references") = std::vector<Reference>())
       .def_property_readonly("fractions", &Material::fractions)
       .def_property_readonly("parameters", &Material::parameters)
       .def_property_readonly("origin", [](const Material& material) { return Vec3(material.frame().origin); })
       .def_property_readonly(
           "rotation", [](const Material& material) { return Eigen::Matrix3d(material.frame().rotation); })
+      .def_property_readonly("references", &Material::references)
       .def("evaluate", &evaluate, py::arg("points"),
            "Volume fraction (n,) at points (n, 3) in mm; NaN where the formula is not defined.")
       .def("gradient", &gradient, py::arg("points"),

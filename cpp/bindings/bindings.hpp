@@ -10,6 +10,7 @@ namespace fgmesh::bindings {
 
 // One a folder of C++; called in this order when Python imports the module.
 void bind_core(pybind11::module_& module);
+void bind_brep(pybind11::module_& module);
 void bind_material(pybind11::module_& module);
 void bind_pipeline(pybind11::module_& module);
 

@@ -47,6 +47,7 @@ PYBIND11_MODULE(_core, module) {
       "Versions as a dict: fgmesh; occt_compiled and cgal, of the headers; occt_loaded, a list of those in "
       "this process.");
   bind_core(module);
+  bind_brep(module);
   bind_material(module);
   bind_pipeline(module);
 }

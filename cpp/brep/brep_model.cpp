@@ -9,9 +9,8 @@
 #include <optional>
 #include <stdexcept>
 
-#include "brep/edge_projector.hpp"
-#include "brep/face_projector.hpp"
 #include "brep/occt.hpp"
+#include "brep/projections.hpp"
 #include "brep/sampling.hpp"
 #include "brep/shape_check.hpp"
 #include "brep/shape_reader.hpp"
@@ -20,31 +19,13 @@ namespace fgmesh {
 
 struct BrepModel::State {
   brep::CheckedShape shape;
-  std::vector<std::optional<brep::EdgeProjector>> edges;  // of EdgeN at n - 1
-  std::vector<std::optional<brep::FaceProjector>> faces;  // of FaceN at n - 1
+  brep::Projections projections;
 
   // A classifier remembers its last ray, so only one thread may ask.
   mutable std::mutex classifier_mutex;
   mutable std::list<BRepClass3d_SolidClassifier> classifiers;  // they cannot be moved
 
   explicit State(brep::CheckedShape checked) : shape(std::move(checked)) {}
-
-  void prepare_projections(const brep::Sampling& sampling, RunControl& control) {
-    const brep::Topology& topology = shape.topology;
-    faces.clear();
-    edges.clear();
-    edges.resize(topology.edge_count());
-    faces.resize(topology.face_count());
-    for (int edge = 1; edge <= topology.edge_count(); ++edge) {
-      const std::vector<double>& parameters = sampling.edge_parameters[edge - 1];
-      if (!parameters.empty()) edges[edge - 1].emplace(topology.edge(edge), parameters);
-    }
-    for (int face = 1; face <= topology.face_count(); ++face) {
-      control.check();
-      const brep::FaceSamples& samples = sampling.faces[face - 1];
-      if (!samples.points.empty()) faces[face - 1].emplace(topology, face, samples, edges);
-    }
-  }
 
   template <class Projector>
   static const Projector& at(const std::vector<std::optional<Projector>>& projectors, int number,
@@ -67,17 +48,18 @@ BrepModel BrepModel::from_text(const std::string& text, RunControl& control) {
 
 SampledBoundary BrepModel::sample(const SamplingOptions& options, RunControl& control) {
   brep::Sampling sampling = brep::sample_boundary(state_->shape, options, control);
-  brep::guarded("preparing projections", [&] { state_->prepare_projections(sampling, control); });
+  brep::guarded("preparing projections",
+                [&] { state_->projections = brep::Projections(state_->shape.topology, sampling, control); });
   return std::move(sampling.boundary);
 }
 
 SurfacePoint BrepModel::project_to_face(int face, const Vec3& p, const double* guess_uv) const {
-  const auto& projector = State::at(state_->faces, face, "Face");
+  const auto& projector = State::at(state_->projections.faces, face, "Face");
   return brep::guarded("projecting to a face", [&] { return projector.project(p, guess_uv); });
 }
 
 CurvePoint BrepModel::project_to_edge(int edge, const Vec3& p, const double* guess_t) const {
-  const auto& projector = State::at(state_->edges, edge, "Edge");
+  const auto& projector = State::at(state_->projections.edges, edge, "Edge");
   return brep::guarded("projecting to an edge", [&] { return projector.project(p, guess_t); });
 }
 

@@ -62,6 +62,12 @@ CurvePoint EdgeProjector::project(const Vec3& p, const double* guess_t) const {
   return at(within_range(t));
 }
 
+CurvePoint EdgeProjector::project_between(const Vec3& p, double low, double high, double start) const {
+  double t = start;
+  newton(p, {low, high}, t);
+  return at(t);
+}
+
 /// The nearest sample; the closest point lies between its neighbours.
 double EdgeProjector::start_parameter(const Vec3& p, Bracket& bracket) const {
   const int last = static_cast<int>(parameters_.size()) - 1;

@@ -22,6 +22,16 @@ class EdgeProjector {
 
   CurvePoint project(const Vec3& p, const double* guess_t = nullptr) const;
 
+  /// Lines and circles: project() gives the closest point of all. On others it may miss one that is closer by
+  /// less than the samples are off the curve.
+  bool has_closed_form() const { return closed_form_.index() != 0; }
+
+  /// The point between the parameters `low` and `high` to which the distance falls from `start`.
+  CurvePoint project_between(const Vec3& p, double low, double high, double start) const;
+
+  CurvePoint at(double t) const;
+  const std::vector<double>& parameters() const { return parameters_; }
+
  private:
   struct Bracket {
     double low, high;
@@ -30,7 +40,6 @@ class EdgeProjector {
   double start_parameter(const Vec3& p, Bracket& bracket) const;
   bool newton(const Vec3& p, const Bracket& bracket, double& t) const;
   double within_range(double t) const;
-  CurvePoint at(double t) const;
 
   double first_ = 0.0, last_ = 0.0;  // before curve_, whose making sets them
   Handle(Geom_Curve) curve_;

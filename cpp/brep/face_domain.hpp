@@ -20,21 +20,26 @@ class FaceDomain {
   const Uv& low() const { return low_; }
   const Uv& high() const { return high_; }
 
-  /// `border`: so close to a free border that the segments cannot tell.
+  /// `border`: so close to a free border that neither its segments nor its curve can tell.
   Place locate(const Uv& uv) const;
 
  private:
   struct Segment {  // in units of cells
     double x0, y0, x1, y1;
     double band;  ///< distance within which the true border may lie; 0 where it is not free
+    Handle(Geom2d_Curve) curve;
+    std::array<double, 2> parameters;
   };
+  enum class Side : std::uint8_t { beside, between, on, unknown };
 
   void mark_border(const Segment& segment);
+  Side side_of_curve(const Segment& segment, double x, double y) const;
   void fill_rows();
   Place locate_by_segments(double x, double y) const;
 
   Uv low_{}, high_{};
-  int cells_ = 0;  ///< in each direction
+  int cells_ = 0;       ///< in each direction
+  double reach_ = 0.0;  ///< largest band, in cells: the face ends before that beyond the grid
   std::vector<Segment> segments_;
   std::vector<Place> places_;
 };

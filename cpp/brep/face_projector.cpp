@@ -3,9 +3,12 @@
 
 #include <BRepClass_FaceClassifier.hxx>
 #include <BRep_Tool.hxx>
+#include <GeomLProp_SLProps.hxx>
 #include <Precision.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "brep/occt.hpp"
@@ -36,6 +39,35 @@ FaceProjector::FaceProjector(const Topology& topology, int face, const FaceSampl
 SurfacePoint FaceProjector::project(const Vec3& p, const double* guess_uv) const {
   Uv uv = closest_on_surface(p, guess_uv);
   if (!covers(uv) && !borders_.empty()) uv = closest_on_border(p);
+  return at(uv);
+}
+
+SurfacePoint FaceProjector::project_to_surface(const Vec3& p, const Vec3& near, bool& covered) const {
+  Uv uv{};
+  if (surface_.has_closed_form()) {
+    uv = surface_.closest_by_form(p);
+  } else {
+    uv = sample_uv_[nearest_(near)];
+    surface_.closest_from(p, uv);
+  }
+  covered = covers(uv);
+  return at(uv);
+}
+
+std::array<double, 2> FaceProjector::curvatures(const Vec3& near) const {
+  const Uv& uv = sample_uv_[nearest_(near)];
+  GeomLProp_SLProps properties(surface_.geometry(), uv[0], uv[1], 2, Precision::Confusion());
+  if (!properties.IsCurvatureDefined()) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    return {kInfinity, kInfinity};
+  }
+  // OpenCASCADE's are above zero where the surface bends towards dS/du x dS/dv.
+  const double along = std::max(properties.MaxCurvature(), properties.MinCurvature());
+  const double against = -std::min(properties.MaxCurvature(), properties.MinCurvature());
+  return reversed_ ? std::array{against, along} : std::array{along, against};
+}
+
+SurfacePoint FaceProjector::at(const Uv& uv) const {
   SurfacePoint found;
   found.position = surface_.position(uv, found.normal);
   if (reversed_) found.normal = -found.normal;

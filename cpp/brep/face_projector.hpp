@@ -3,6 +3,7 @@
 
 #include <Geom2d_Curve.hxx>
 #include <TopoDS_Face.hxx>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -25,6 +26,18 @@ class FaceProjector {
 
   SurfacePoint project(const Vec3& p, const double* guess_uv = nullptr) const;
 
+  /// Planes, cylinders, cones, balls and tori.
+  bool has_closed_form() const { return surface_.has_closed_form(); }
+
+  /// Closest point of the surface without its borders: the closest of all where there is a closed form, else
+  /// the one to which the distance falls from the sample nearest to `near`. `covered`: it lies on the face.
+  SurfacePoint project_to_surface(const Vec3& p, const Vec3& near, bool& covered) const;
+
+  /// How much the surface bends towards its outer and its inner side at the sample nearest to `near`, 1/mm:
+  /// the largest of the curvatures, below zero where all turn away; infinite where they are not defined. For
+  /// surfaces without a closed form.
+  std::array<double, 2> curvatures(const Vec3& near) const;
+
  private:
   struct Border {
     const EdgeProjector* edge;   ///< null for a pole
@@ -32,6 +45,7 @@ class FaceProjector {
     double first, last;
   };
 
+  SurfacePoint at(const Uv& uv) const;
   Uv closest_on_surface(const Vec3& p, const double* guess_uv) const;
   bool covers(const Uv& uv) const;
   Uv closest_on_border(const Vec3& p) const;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Geom2d_Curve.hxx>
+#include <array>
 #include <vector>
 
 #include "brep/brep_model.hpp"
@@ -15,6 +17,8 @@ struct BorderSegment {
   std::array<double, 2> start{}, end{};
   std::array<double, 2> bulge{};  ///< how far the true border may lie beside the middle of the segment
   bool free = true;  ///< the face ends here; false on seams and poles, where it goes on elsewhere in (u, v)
+  Handle(Geom2d_Curve) curve;          ///< the true border; null where OpenCASCADE has none
+  std::array<double, 2> parameters{};  ///< on it, of `start` and `end`
 };
 
 struct FaceSamples {

@@ -97,7 +97,12 @@ class Welder {
     for (int i = 1; i < polygon.NbNodes(); ++i) {
       const gp_Pnt2d start = triangulation.UVNode(polygon.Node(i));
       const gp_Pnt2d end = triangulation.UVNode(polygon.Node(i + 1));
-      BorderSegment segment{{start.X(), start.Y()}, {end.X(), end.Y()}, {}, !use.seam && !use.degenerate};
+      BorderSegment segment{{start.X(), start.Y()},
+                            {end.X(), end.Y()},
+                            {},
+                            !use.seam && !use.degenerate,
+                            curve,
+                            {polygon.Parameter(i), polygon.Parameter(i + 1)}};
       if (!curve.IsNull()) {
         const gp_Pnt2d middle = curve->Value(0.5 * (polygon.Parameter(i) + polygon.Parameter(i + 1)));
         segment.bulge = {std::abs(middle.X() - 0.5 * (start.X() + end.X())),

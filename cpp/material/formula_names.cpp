@@ -14,7 +14,7 @@
 namespace fgmesh {
 namespace {
 
-constexpr std::array<std::string_view, kVariableCount> kVariableNames = {"x", "y", "z", "r", "theta", "d"};
+constexpr std::array<std::string_view, kCoordinateCount> kVariableNames = {"x", "y", "z", "r", "theta", "d"};
 
 struct NamedConstant {
   std::string_view name;
@@ -78,6 +78,21 @@ std::optional<Constant> find_constant(std::string_view name) {
         {constant.value, std::nextafter(constant.value, std::numeric_limits<double>::infinity())}};
   }
   return std::nullopt;
+}
+
+Variable to_variable(const ReferenceDistance& distance) {
+  return static_cast<Variable>(kCoordinateCount + 2 * distance.index + (distance.is_signed ? 1 : 0));
+}
+
+std::optional<ReferenceDistance> to_reference(Variable variable) {
+  const std::size_t place = static_cast<std::size_t>(variable);
+  if (place < kCoordinateCount) return std::nullopt;
+  return ReferenceDistance{(place - kCoordinateCount) / 2, (place - kCoordinateCount) % 2 == 1};
+}
+
+std::optional<ReferenceDistance> find_reference(std::string_view name) {
+  if (!is_reference_name(name) || name[0] == 't' || name.size() > 5) return std::nullopt;
+  return ReferenceDistance{std::stoul(std::string(name.substr(1))) - 1, name[0] == 's'};
 }
 
 bool is_reference_name(std::string_view name) {

@@ -11,9 +11,19 @@
 
 namespace fgmesh {
 
-/// What a formula may read at a point. Lengths in mm, the angle in radians, all in the material's frame.
-enum class Variable { kX, kY, kZ, kRadius, kAngle, kDistance };
-constexpr std::size_t kVariableCount = 6;
+/// What a formula may read at a point. Lengths in mm, the angle in radians. The coordinates are those in the
+/// material's frame; distances to references follow them: d1 s1 d2 s2 ...
+enum class Variable : std::size_t { kX, kY, kZ, kRadius, kAngle, kDistance };
+constexpr std::size_t kCoordinateCount = 6;
+
+/// "d3" or "s3": the distance to the third reference (index 2), or that with a sign.
+struct ReferenceDistance {
+  std::size_t index;
+  bool is_signed;
+};
+Variable to_variable(const ReferenceDistance& distance);
+/// None for a coordinate.
+std::optional<ReferenceDistance> to_reference(Variable variable);
 
 bool is_letter(char c);
 bool is_digit(char c);
@@ -28,7 +38,10 @@ struct Constant {
 
 std::optional<Constant> find_constant(std::string_view name);
 
-/// "d1", "s2", "t1", ...: distances to references and tables.
+/// "d1", "s2", ... where the number is at most 9999.
+std::optional<ReferenceDistance> find_reference(std::string_view name);
+
+/// "d1", "s2", "t1", ...: distances to references, and tables.
 bool is_reference_name(std::string_view name);
 
 /// Throws InvalidInput, naming the parameter, for a name that is none or is taken, and for a value not

@@ -11,8 +11,9 @@ using Operand = ProgramBuilder::Operand;
 
 class FormulaParser {
  public:
-  FormulaParser(std::string_view text, const std::map<std::string, double>& parameters)
-      : parameters_(parameters), lexer_(text) {}
+  FormulaParser(std::string_view text, const std::map<std::string, double>& parameters,
+                const std::vector<Reference>& references)
+      : parameters_(parameters), references_(references), lexer_(text) {}
 
   FormulaProgram parse() {
     advance();
@@ -50,6 +51,7 @@ class FormulaParser {
   Operand primary();
   Operand group();
   Operand named(const Token& name);
+  Operand distance(const Token& name);
   Operand call(const Token& name, const Operation& function);
   void close(std::size_t opening);
   Operand apply(const Operation& operation, const std::vector<Operand>& operands);
@@ -60,6 +62,7 @@ class FormulaParser {
   [[noreturn]] void fail_no_function(const Token& name) const;
 
   const std::map<std::string, double>& parameters_;
+  const std::vector<Reference>& references_;
   FormulaLexer lexer_;
   Token token_;     // the one to be read next
   Token previous_;  // the one read last
@@ -189,8 +192,8 @@ Operand FormulaParser::named(const Token& name) {
     fail_at(name.position, "the function " + in_quotes(name.text) + " needs its arguments in parentheses");
   }
   if (is_reference_name(name.text)) {
-    fail_at(name.position,
-            "references and tables such as " + in_quotes(name.text) + " are not available yet");
+    if (called) fail_no_function(name);
+    return distance(name);
   }
   const auto variable = find_variable(name.text);
   const auto constant = find_constant(name.text);
@@ -203,6 +206,27 @@ Operand FormulaParser::named(const Token& name) {
   if (variable) return builder_.variable(*variable);
   if (constant) return builder_.constant(*constant);
   return builder_.constant({parameter->second, Interval::point(parameter->second)});
+}
+
+Operand FormulaParser::distance(const Token& name) {
+  const std::string quoted = in_quotes(name.text);
+  if (name.text[0] == 't') fail_at(name.position, "tables such as " + quoted + " are not available yet");
+  const auto found = find_reference(name.text);
+  const std::size_t count = references_.size();
+  if (!found || found->index >= count) {
+    const std::string given = count == 0   ? "none is"
+                              : count == 1 ? "only one is"
+                                           : "only " + std::to_string(count) + " are";
+    fail_at(name.position, quoted + " is the distance to reference " + std::string(name.text.substr(1)) +
+                               ", but " + given +
+                               " given; add the face, edge, vertex or solid that is meant");
+  }
+  if (found->is_signed && !references_[found->index].is_solid) {
+    fail_at(name.position, quoted + " needs a solid, but that reference is " +
+                               references_[found->index].name + "; write d" +
+                               std::string(name.text.substr(1)) + " for the distance without a sign");
+  }
+  return builder_.variable(to_variable(*found));
 }
 
 Operand FormulaParser::call(const Token& name, const Operation& function) {
@@ -265,12 +289,13 @@ void FormulaParser::fail_no_function(const Token& name) const {
 
 }  // namespace
 
-FormulaProgram parse_formula(std::string_view text, const std::map<std::string, double>& parameters) {
+FormulaProgram parse_formula(std::string_view text, const std::map<std::string, double>& parameters,
+                             const std::vector<Reference>& references) {
   if (text.size() > kMaxFormulaLength) {
     fail_at(kMaxFormulaLength, "the formula has " + std::to_string(text.size()) + " characters; at most " +
                                    std::to_string(kMaxFormulaLength) + " are allowed");
   }
-  return FormulaParser(text, parameters).parse();
+  return FormulaParser(text, parameters, references).parse();
 }
 
 }  // namespace fgmesh

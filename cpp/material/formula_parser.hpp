@@ -5,7 +5,9 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "core/reference.hpp"
 #include "material/formula_program.hpp"
 
 namespace fgmesh {
@@ -13,7 +15,8 @@ namespace fgmesh {
 constexpr std::size_t kMaxFormulaLength = 10000;
 constexpr int kMaxFormulaDepth = 100;
 
-/// Reads a formula over x y z r theta d, pi, e and `parameters` (checked already) into a program:
+/// Reads a formula over x y z r theta d, pi, e, `parameters` (checked already) and distances d1 s1 ... to
+/// `references` into a program:
 ///
 ///     expression = comparison [ "?" expression ":" expression ]
 ///     comparison = sum [ ("<" | "<=" | ">" | ">=" | "==" | "!=") sum ]
@@ -25,6 +28,7 @@ constexpr int kMaxFormulaDepth = 100;
 ///
 /// Nothing but numbers can come of it, whoever wrote the text. Throws FormulaError, with the position, where
 /// the text is none, is longer than kMaxFormulaLength bytes or nests deeper than kMaxFormulaDepth.
-FormulaProgram parse_formula(std::string_view text, const std::map<std::string, double>& parameters);
+FormulaProgram parse_formula(std::string_view text, const std::map<std::string, double>& parameters,
+                             const std::vector<Reference>& references);
 
 }  // namespace fgmesh

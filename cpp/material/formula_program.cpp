@@ -60,9 +60,8 @@ void FormulaProgram::evaluate(const PointInputs& inputs, std::size_t count, doub
   alignas(64) double workspace[kWorkspaceSize];
   const std::size_t stride = block_size(register_count_, 1, count);
   for_each_block(count, stride, [&](std::size_t first, std::size_t size) {
-    for (std::size_t v = 0; v < kVariableCount; ++v) {
-      if (variable_registers_[v] < 0) continue;
-      inputs.values(static_cast<Variable>(v), first, size, workspace + variable_registers_[v] * stride);
+    for (std::size_t v = 0; v < variables_.size(); ++v) {
+      inputs.values(variables_[v], first, size, workspace + variable_registers_[v] * stride);
     }
     run_values(workspace, stride, size);
     std::copy_n(workspace + result_ * stride, size, values + first);
@@ -74,9 +73,8 @@ void FormulaProgram::evaluate(const PointInputs& inputs, std::size_t count, doub
   alignas(64) double workspace[kWorkspaceSize];
   const std::size_t stride = block_size(register_count_, kDualRows, count);
   for_each_block(count, stride, [&](std::size_t first, std::size_t size) {
-    for (std::size_t v = 0; v < kVariableCount; ++v) {
-      if (variable_registers_[v] < 0) continue;
-      inputs.duals(static_cast<Variable>(v), first, size, stride,
+    for (std::size_t v = 0; v < variables_.size(); ++v) {
+      inputs.duals(variables_[v], first, size, stride,
                    workspace + variable_registers_[v] * kDualRows * stride);
     }
     run_duals(workspace, stride, size);
@@ -89,11 +87,9 @@ void FormulaProgram::evaluate(const PointInputs& inputs, std::size_t count, doub
   });
 }
 
-Interval FormulaProgram::bounds(const BoxInputs& box) const noexcept {
+Interval FormulaProgram::bounds(const std::vector<Interval>& box) const noexcept {
   Interval registers[kMaxRegisters];
-  for (std::size_t v = 0; v < kVariableCount; ++v) {
-    if (variable_registers_[v] >= 0) registers[variable_registers_[v]] = box[v];
-  }
+  for (std::size_t v = 0; v < variables_.size(); ++v) registers[variable_registers_[v]] = box[v];
   for (const Instruction& instruction : instructions_) {
     const Interval* const in[] = {registers + instruction.in[0], registers + instruction.in[1],
                                   registers + instruction.in[2]};
@@ -115,9 +111,15 @@ void ProgramBuilder::release(const Operand& operand) {
 }
 
 ProgramBuilder::Operand ProgramBuilder::variable(Variable variable) {
-  int& place = program_.variable_registers_[static_cast<std::size_t>(variable)];
-  if (place < 0) place = static_cast<int>(program_.register_count_++);
-  return {false, false, static_cast<std::uint16_t>(place), {}};
+  std::vector<Variable>& variables = program_.variables_;
+  const auto found = std::find(variables.begin(), variables.end(), variable);
+  const std::size_t v = static_cast<std::size_t>(found - variables.begin());
+  if (found == variables.end()) {
+    variables.push_back(variable);
+    // A register of its own: the block's loop fills it once, so no intermediate result may use it.
+    program_.variable_registers_.push_back(static_cast<std::uint16_t>(program_.register_count_++));
+  }
+  return {false, false, program_.variable_registers_[v], {}};
 }
 
 ProgramBuilder::Operand ProgramBuilder::loaded(const Operand& operand) {

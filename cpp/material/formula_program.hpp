@@ -26,23 +26,22 @@ class PointInputs {
                      double* out) const = 0;
 };
 
-using BoxInputs = std::array<Interval, kVariableCount>;
-
 /// A formula made ready: a straight list of operations on registers, each of which holds a block of points.
 /// Immutable; evaluation needs no memory but the stack, so any number of threads may share one.
 class FormulaProgram {
  public:
   static constexpr std::size_t kMaxRegisters = 1024;
 
-  bool uses(Variable variable) const { return variable_registers_[static_cast<std::size_t>(variable)] >= 0; }
+  /// Those that the formula uses, each once.
+  const std::vector<Variable>& variables() const { return variables_; }
 
   void evaluate(const PointInputs& inputs, std::size_t count, double* values) const noexcept;
 
   /// Where a value is NaN so is its gradient, else no component is.
   void evaluate(const PointInputs& inputs, std::size_t count, double* values, Vec3* gradients) const noexcept;
 
-  /// Holds the value at every point where all variables lie in theirs. Variables not used may be anything.
-  Interval bounds(const BoxInputs& box) const noexcept;
+  /// Holds the value at every point where each of variables() lies in its interval of `box`.
+  Interval bounds(const std::vector<Interval>& box) const noexcept;
 
  private:
   friend class ProgramBuilder;
@@ -54,12 +53,13 @@ class FormulaProgram {
     Constant constant{};
   };
 
-  FormulaProgram() { variable_registers_.fill(-1); }
+  FormulaProgram() = default;
   void run_values(double* workspace, std::size_t stride, std::size_t count) const noexcept;
   void run_duals(double* workspace, std::size_t stride, std::size_t count) const noexcept;
 
   std::vector<Instruction> instructions_;
-  std::array<int, kVariableCount> variable_registers_;
+  std::vector<Variable> variables_;
+  std::vector<std::uint16_t> variable_registers_;  // of each of them
   std::size_t register_count_ = 0;
   std::uint16_t result_ = 0;
 };

@@ -7,7 +7,7 @@
 #include "core/error.hpp"
 #include "material/formula_parser.hpp"
 #include "material/formula_program.hpp"
-#include "material/frame_coordinates.hpp"
+#include "material/point_variables.hpp"
 
 namespace fgmesh {
 namespace {
@@ -49,32 +49,33 @@ struct Material::State {
   std::vector<std::string> fractions;
   std::map<std::string, double> parameters;
   Frame frame;
+  std::vector<Reference> references;
   FormulaProgram program;
 };
 
 Material::Material(const std::vector<std::string>& fractions, const std::map<std::string, double>& parameters,
-                   const Frame& frame) {
+                   const Frame& frame, const std::vector<Reference>& references) {
   check_frame(frame);
-  FormulaProgram program = parse_formula(only_formula(fractions), checked(parameters));
-  state_ = std::make_unique<const State>(State{fractions, parameters, frame, std::move(program)});
+  FormulaProgram program = parse_formula(only_formula(fractions), checked(parameters), references);
+  state_ = std::make_unique<const State>(State{fractions, parameters, frame, references, std::move(program)});
 }
 
 Material::Material(Material&&) noexcept = default;
 Material::~Material() = default;
 
 void Material::evaluate(const Vec3* points, std::size_t count, double* values) const {
-  state_->program.evaluate(FrameCoordinates(state_->frame, points), count, values);
+  state_->program.evaluate(PointVariables(state_->frame, state_->references, points), count, values);
 }
 
 void Material::evaluate(const Vec3* points, std::size_t count, double* values, Vec3* gradients) const {
-  state_->program.evaluate(FrameCoordinates(state_->frame, points), count, values, gradients);
+  state_->program.evaluate(PointVariables(state_->frame, state_->references, points), count, values,
+                           gradients);
 }
 
 void Material::bounds(const Box& box, double& low, double& high) const {
-  BoxInputs inputs{};
-  for (std::size_t v = 0; v < kVariableCount; ++v) {
-    const Variable variable = static_cast<Variable>(v);
-    if (state_->program.uses(variable)) inputs[v] = coordinate_bounds(state_->frame, box, variable);
+  std::vector<Interval> inputs;
+  for (const Variable variable : state_->program.variables()) {
+    inputs.push_back(variable_bounds(state_->frame, state_->references, box, variable));
   }
   const Interval result = state_->program.bounds(inputs);
   const bool defined = !result.is_empty();
@@ -85,5 +86,6 @@ void Material::bounds(const Box& box, double& low, double& high) const {
 const std::vector<std::string>& Material::fractions() const { return state_->fractions; }
 const std::map<std::string, double>& Material::parameters() const { return state_->parameters; }
 const Frame& Material::frame() const { return state_->frame; }
+const std::vector<Reference>& Material::references() const { return state_->references; }
 
 }  // namespace fgmesh

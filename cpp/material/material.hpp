@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/reference.hpp"
 #include "core/scalar_field.hpp"
 
 namespace fgmesh {
@@ -17,13 +18,13 @@ struct Frame {
 };
 
 /// A functionally graded material of two constituents: the volume fraction of the first is a formula over
-/// x y z r theta d and named parameters, the second is the remainder (paper, equation 2.1).
-/// Immutable, so safe to share between threads.
+/// x y z r theta d, named parameters and distances to references, the second is the remainder (paper,
+/// equation 2.1). Immutable, so safe to share between threads.
 class Material final : public ScalarField {
  public:
   /// Throws FormulaError for a text that is no formula, InvalidInput for parameters with forbidden names.
   Material(const std::vector<std::string>& fractions, const std::map<std::string, double>& parameters = {},
-           const Frame& frame = {});
+           const Frame& frame = {}, const std::vector<Reference>& references = {});
 
   void evaluate(const Vec3* points, std::size_t count, double* values) const override;
   void evaluate(const Vec3* points, std::size_t count, double* values, Vec3* gradients) const override;
@@ -32,6 +33,7 @@ class Material final : public ScalarField {
   const std::vector<std::string>& fractions() const;
   const std::map<std::string, double>& parameters() const;
   const Frame& frame() const;
+  const std::vector<Reference>& references() const;
 
   Material(Material&&) noexcept;
   ~Material() override;

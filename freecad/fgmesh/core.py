@@ -34,6 +34,7 @@ from freecad.fgmesh._core import (
     InvalidInput,
     Material,
     MeshingOptions,
+    Reference,
     RunControl,
     caret_excerpt,
     versions,
@@ -48,11 +49,13 @@ __all__ = [
     "Material",
     "MeshingOptions",
     "MeshingResult",
+    "Reference",
     "RunControl",
     "caret_excerpt",
     "frame_rotation",
     "generate_mesh",
     "read_shape",
+    "references",
     "report",
     "versions",
 ]
@@ -103,6 +106,16 @@ def generate_mesh(brep, material, options=None, control=None):
     threshold = options.material_threshold
     result = _core.generate_mesh(read_shape(brep), material, options, control)
     return MeshingResult(result, threshold)
+
+
+def references(brep, names, control=None):
+    """What a material's d1 s1 d2 ... measure to: a list of Reference, for `Material(..., references=...)`.
+
+    brep: what `read_shape` takes. names: parts of its solids, as FreeCAD numbers them ("Face3", "Edge1",
+    "Vertex2", "Solid1"). control: RunControl, as for `generate_mesh`. Raises InvalidInput that names a part
+    which the shape does not have, GeometryError or Cancelled.
+    """
+    return _core.references(read_shape(brep), list(names), control)
 
 
 def read_shape(brep):

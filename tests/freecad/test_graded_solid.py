@@ -8,7 +8,8 @@ TYPES = {
     "FGMConstituents": "App::PropertyStringList",
     "FGMFractions": "App::PropertyStringList",
     "FGMFrame": "App::PropertyPlacement",
-    "FGMReferences": "App::PropertyLinkSubList",
+    "FGMReferences": "App::PropertyLinkSubListHidden",
+    "FGMReferenceNames": "App::PropertyStringList",
     "FGM_alpha": "App::PropertyFloat",
 }
 
@@ -66,6 +67,11 @@ def test_material_objects_as_constituents(box, fgmesh):
         ({"fractions": "z/30", "constituents": ["Steel-Generic"]}, "constituent"),
         ({"fractions": "z/30", "constituents": ["Steel-Generic", 3]}, "3"),
         ({"fractions": "z/30", "frame": (0, 0, 0)}, "Placement"),
+        ({"fractions": "d1/30"}, "none is given"),
+        ({"fractions": "d1/30", "references": ["Face9"]}, "Box: the reference Face9 is lost"),
+        ({"fractions": "s1/30", "references": ["Face1"]}, "write d1"),
+        ({"fractions": "d1/30", "references": [3]}, "3"),
+        ({"fractions": "d1/30", "references": [("Box", "Face1")]}, "document"),
         ({"fractions": [3]}, "text"),
         ({"fractions": []}, None),
     ],

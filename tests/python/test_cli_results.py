@@ -187,3 +187,16 @@ def test_runs_from_the_source_folder_as_well(launcher, shapes, source_dir, tmp_p
 
     command = [launcher, shapes / "box.brep", *LINEAR, "-o", tmp_path / "a.vtu", "--quiet"]
     assert subprocess.run(command, cwd=source_dir, timeout=120).returncode == 0
+
+
+def test_references(fgmesh, shapes, tmp_path):
+    """From one face of the box to the opposite one; the option overrules the file."""
+    content = {"fractions": ["(d1/(d1+d2))^2"], "references": ["Face3"]}
+    (tmp_path / "m.json").write_text(json.dumps(content))
+    options = ("--reference", "Face1", "--reference", "Face2", "--threshold", "0.3")
+    done = fgmesh(shapes / "box.step", "--material", "m.json", *options, "-o", "box.vtu")
+    assert done.returncode == 0, done.stderr
+    mesh = meshio.read(tmp_path / "box.vtu")
+    squares = [(mesh.points[:, axis] / 10) ** 2 for axis in range(3)]
+    squares += [(1 - mesh.points[:, axis] / 10) ** 2 for axis in range(3)]
+    assert any(np.allclose(mesh.point_data["fraction_1"], square, atol=1e-9) for square in squares)

@@ -131,3 +131,29 @@ def test_missing_extension_tells_how_to_build(source_dir):
     command = [sys.executable, "-P", "-c", code, str(source_dir)]
     done = subprocess.run(command, capture_output=True, text=True)
     assert done.returncode == 1 and "ImportError" in done.stderr and "./scripts/build" in done.stderr
+
+
+def test_references(shapes):
+    ball = core.references(shapes / "ball.brep", ["Solid1", "Face1"])
+    assert [(reference.name, reference.is_solid) for reference in ball] == [
+        ("Solid1", True),
+        ("Face1", False),
+    ]
+    points = np.random.default_rng(2).uniform(-15, 15, (200, 3))
+    height = np.linalg.norm(points, axis=1) - 10
+    signed = core.Material(["s1"], references=ball)
+    assert signed.references[0].name == "Solid1"
+    np.testing.assert_allclose(signed.evaluate(points), height, atol=1e-12)
+    np.testing.assert_allclose(signed.gradient(points), points / (height + 10)[:, None], atol=1e-9)
+    for formula in ("d1", "d2"):
+        plain = core.Material([formula], references=ball)
+        np.testing.assert_allclose(plain.evaluate(points), abs(height), atol=1e-12)
+    low, high = signed.bounds((1, 1, 1), (2, 2, 2))
+    assert low <= np.sqrt(3) - 10 and high >= np.sqrt(12) - 10
+
+
+def test_references_that_are_lost_are_named(shapes):
+    with pytest.raises(core.InvalidInput, match="Face2 is lost"):
+        core.references(shapes / "ball.brep", ["Face1", "Face2"])
+    with pytest.raises(core.GeometryError, match="solid"):
+        core.references(shapes / "face.brep", ["Face1"])

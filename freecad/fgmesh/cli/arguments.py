@@ -7,7 +7,8 @@ import re
 DESCRIPTION = """\
 Turn a CAD solid of a functionally graded material into a tetrahedral mesh that is fine where the material
 changes fast. Lengths are mm. The volume fraction of the first constituent is a formula over x y z r theta d
-(position, cylinder coordinates and distance from the origin of the material's frame) and named parameters.
+(position, cylinder coordinates and distance from the origin of the material's frame), d1 d2 ... s1 s2 ...
+(distances to references, s with a sign) and named parameters.
 """
 
 EPILOG = """\
@@ -16,7 +17,8 @@ example:
 
 material file:
   {"fractions": ["exp(-alpha*d)"], "parameters": {"alpha": 0.08}, "origin": [0, 0, 0], "axis": [0, 0, 1]}
-  All but "fractions" may be left out; --param, --origin and --axis overrule the file.
+  All but "fractions" may be left out, also "references": ["Face1", "Edge2"]. --param, --origin, --axis and
+  --reference overrule the file.
 
 exit status:
   0 mesh written, every criterion met       3 shape refused or not meshable
@@ -57,7 +59,13 @@ def _add_material(group):
     add("--origin", metavar="X,Y,Z", type=triple, help="origin of the material's frame (default 0,0,0)")
     add("--axis", metavar="X,Y,Z", type=triple, help="direction of the frame's z axis (default 0,0,1)")
     add("--material", metavar="FILE.json", help="material file, in place of --fraction; see below")
-    add("--reference", metavar="FaceN", action="append", default=[], help="not available yet")
+    add(
+        "--reference",
+        metavar="FaceN",
+        action="append",
+        default=[],
+        help="face, edge, vertex or solid of the part; the first is d1 (or s1) in the formula, and so on",
+    )
     add("--table", metavar="FILE", action="append", default=[], help="not available yet")
 
 

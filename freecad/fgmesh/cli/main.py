@@ -49,16 +49,22 @@ def _main(argv):
 
 
 def _mesh(parsed):
+    from freecad.fgmesh import core
     from freecad.fgmesh.cli import material_input, outputs, progress, run, summary
 
-    _refuse_unavailable(parsed)
+    if parsed.table:
+        raise core.InvalidInput("--table is not available yet: leave it out")
     outputs.check(parsed)
     options = _options(parsed)
-    material = material_input.read_material(parsed)
     display = progress.make_progress(parsed.quiet)
     # As a str, a path with a line break in it would be taken for the file's content.
     part = Path(parsed.part)
-    result = run.watched_run(part, material, options, display, parsed.time_limit, parsed.memory_limit)
+
+    def work(control):
+        material = material_input.read_material(parsed, part, control)
+        return core.generate_mesh(part, material, options, control)
+
+    result = run.watched_run(work, display, parsed.time_limit, parsed.memory_limit)
     outputs.write(result, parsed)
     if not parsed.quiet:
         _print(f"{summary.summary(result)}\n\nwritten to {parsed.output}")
@@ -67,14 +73,6 @@ def _mesh(parsed):
         for message in result.messages:
             _say(message)
     return OK if met else UNMET
-
-
-def _refuse_unavailable(parsed):
-    from freecad.fgmesh.core import InvalidInput
-
-    for name, used in ("--reference", parsed.reference), ("--table", parsed.table):
-        if used:
-            raise InvalidInput(f"{name} is not available yet: leave it out")
 
 
 def _options(parsed):

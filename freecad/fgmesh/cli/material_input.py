@@ -9,25 +9,32 @@ from freecad.fgmesh.cli.arguments import shortened
 LARGEST_FILE = 2 * 1024 * 1024
 """Bytes. A formula has at most some thousand characters: a larger file is no material."""
 
-KEYS = ("fractions", "parameters", "origin", "axis")
+KEYS = ("fractions", "parameters", "origin", "axis", "references")
 
 
-def read_material(arguments):
-    """The Material of the parsed `arguments`. Raises core.InvalidInput, FormulaError included."""
+def read_material(arguments, part, control):
+    """The Material of the parsed `arguments`, with references to parts of the shape file `part`.
+
+    Raises core.InvalidInput, FormulaError included; core.GeometryError and core.Cancelled where there are
+    references.
+    """
     values = material_values(arguments)
     fractions = values["fractions"]
     rotation = core.frame_rotation(values.get("axis", (0.0, 0.0, 1.0)))
     for formula in fractions:
         _check_text(formula)
+    names = values.get("references", [])
+    references = core.references(part, names, control) if names else []
+    origin = values.get("origin", (0.0, 0.0, 0.0))
     try:
-        return core.Material(fractions, values["parameters"], values.get("origin", (0.0, 0.0, 0.0)), rotation)
+        return core.Material(fractions, values["parameters"], origin, rotation, references)
     except core.FormulaError as error:
         shown, caret = core.caret_excerpt(fractions[0], error.position).split("\n")
         raise core.InvalidInput(f"{error}\n  {shown}\n  {caret}") from error
 
 
 def material_values(arguments):
-    """The material's plain values: fractions, parameters and, where given, origin and axis."""
+    """The material's plain values: fractions, parameters and, where given, origin, axis and references."""
     values = (
         read_material_file(arguments.material) if arguments.material else {"fractions": arguments.fraction}
     )
@@ -44,6 +51,8 @@ def material_values(arguments):
     for key in ("origin", "axis"):
         if getattr(arguments, key) is not None:
             values[key] = getattr(arguments, key)
+    if arguments.reference:
+        values["references"] = arguments.reference
     return values
 
 
@@ -94,6 +103,12 @@ def _checked(values):
         "fractions": fractions,
         "parameters": {name: _finite(value, name) for name, value in parameters.items()},
     }
+    if "references" in values:
+        checked["references"] = values["references"]
+        if not isinstance(values["references"], list) or not all(
+            isinstance(name, str) for name in values["references"]
+        ):
+            raise ValueError('"references" must be a list of texts')
     for key in ("origin", "axis"):
         if key in values:
             if not isinstance(values[key], list) or len(values[key]) != 3:

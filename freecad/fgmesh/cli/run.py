@@ -11,22 +11,22 @@ GRACE_SECONDS = 1.5
 """What a run may take to notice its time limit by itself: the promise to the user is 2 seconds."""
 
 
-def watched_run(part, material, options, progress, time_limit=0.0, memory_limit_mb=0.0):
-    """`core.generate_mesh`, shown by `progress` and bounded by limits (0: none).
+def watched_run(work, progress, time_limit=0.0, memory_limit_mb=0.0):
+    """`work(control)`, shown by `progress` and bounded by limits (0: none); `control` is a core.RunControl.
 
-    Gives the MeshingResult or raises what generate_mesh raises. Where the run does not notice in time that
-    its time is over, the process ends with exit status 5.
+    Gives or raises what `work` does. Where it does not notice in time that its time is over, the process ends
+    with exit status 5.
     """
     control = core.RunControl()
     control.set_limits(time_limit, memory_limit_mb)
     last_moment = time.monotonic() + time_limit + GRACE_SECONDS if time_limit else float("inf")
-    work = _Work(lambda: core.generate_mesh(part, material, options, control))
-    while not work.wait(POLL_SECONDS):
+    thread = _Work(lambda: work(control))
+    while not thread.wait(POLL_SECONDS):
         progress.show(control.progress())
         if time.monotonic() > last_moment:
             interrupts.leave("the time limit was reached")
     progress.close(control.progress())
-    return work.result()
+    return thread.result()
 
 
 class _Work:

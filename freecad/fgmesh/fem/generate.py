@@ -4,6 +4,8 @@ from freecad.fgmesh import core
 from freecad.fgmesh.fem.fem_mesh import to_fem_mesh
 from freecad.fgmesh.model import fingerprint, graded_solid, mesh_object
 from freecad.fgmesh.model.options import options_of
+from freecad.fgmesh.model.references import stored_links
+from freecad.fgmesh.model.shapes import brep_text
 from freecad.fgmesh.model.transaction import transaction
 
 
@@ -24,7 +26,7 @@ def generate(mesh, control=None):
     solid = _ready_solid(mesh)
     taken = fingerprint.take(mesh)
     result = core.generate_mesh(
-        fingerprint.brep_text(solid.Shape),
+        brep_text(solid.Shape),
         graded_solid.material_of(solid),
         options_of(mesh),
         control=control or core.RunControl(),
@@ -39,8 +41,10 @@ def _ready_solid(mesh):
     solid = mesh.Shape
     if solid is None:
         raise core.InvalidInput(f"{mesh.Label} has lost its solid: set its Shape to a graded solid")
-    if any("Touched" in thing.State for thing in [solid, *solid.OutListRecursive]):
-        solid.recompute(True)
+    # The links of references are no dependencies, so that a solid can refer to its own faces.
+    for thing in dict.fromkeys([*(thing for thing, name in stored_links(solid)), solid]):
+        if any("Touched" in needed.State for needed in [thing, *thing.OutListRecursive]):
+            thing.recompute(True)
     if not solid.isValid():
         raise core.GeometryError(f"{solid.Label} cannot be computed: repair it in FreeCAD first")
     if solid.Shape.isNull() or not solid.Shape.Solids:

@@ -9,17 +9,11 @@ import math
 
 import FreeCAD
 
-from freecad.fgmesh.model import graded_solid
+from freecad.fgmesh.model import graded_solid, references
 from freecad.fgmesh.model.options import option_values
 
 _SAVED_DIGITS = 1e-12  # numbers come back from a saved document with other last digits
 _SHAPE_DIGITS = 7  # of the part's size: far more than a mesh resolves, far fewer than OpenCASCADE computes
-
-
-def brep_text(shape):
-    """BREP text of `shape` without the triangles that looking at it may have left there: they would give
-    another mesh for the same solid. FaceN keep their numbers."""
-    return shape.cleaned().exportBrepToString().encode()
 
 
 def take(mesh):
@@ -33,6 +27,7 @@ def take(mesh):
         "fractions": list(getattr(solid, "FGMFractions", [])),
         "parameters": graded_solid.parameters_of(solid),
         "frame": _numbers(getattr(solid, "FGMFrame", FreeCAD.Placement())),
+        "references": references.fingerprint(solid, _shape_hash, _numbers),
         "options": option_values(mesh),
     }
 
@@ -50,9 +45,20 @@ def changes(before, now):
         found.append("the material has another formula")
     if not _same(before["frame"], now["frame"]):
         found.append("the material's frame was moved")
+    found += _changed_references(before.get("references", []), now["references"])
     found += _changed_values(before["parameters"], now["parameters"], graded_solid.PARAMETER_PREFIX)
     found += _changed_values(before["options"], now["options"], "")
     return found
+
+
+def _changed_references(before, now):
+    if [entry["name"] for entry in before] != [entry["name"] for entry in now]:
+        return ["the material has other references"]
+    return [
+        f"the reference {old['name']} was changed"
+        for old, new in zip(before, now)
+        if "shape" in old and (old["shape"] != new["shape"] or not _same(old["placement"], new["placement"]))
+    ]
 
 
 def _changed_values(before, now, prefix):

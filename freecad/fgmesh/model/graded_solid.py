@@ -4,6 +4,14 @@ driven by expressions with it."""
 import FreeCAD
 
 from freecad.fgmesh import core
+from freecad.fgmesh.model.references import (
+    LINKS,
+    check_complete,
+    links_of,
+    measured,
+    set_links,
+    stored_links,
+)
 from freecad.fgmesh.model.transaction import transaction
 
 GROUP = "FGM"
@@ -28,8 +36,13 @@ _PROPERTIES = (
     ),
     (
         "FGMReferences",
-        "App::PropertyLinkSubList",
-        "Faces, edges, vertices or solids to which the formula measures distances",
+        LINKS,
+        "Faces, edges, vertices or solids to which the formula measures distances d1, d2, ... and s1, ...",
+    ),
+    (
+        "FGMReferenceNames",
+        "App::PropertyStringList",
+        "The references as they were given, so that one which is lost can be named",
     ),
 )
 
@@ -43,22 +56,28 @@ def attach_material(solid, fractions, parameters=None, constituents=(), frame=No
     constituents  two names of material cards or of material objects of the document, or such objects; may
                   be left out until an analysis needs them
     frame         FreeCAD.Placement of the material's frame in the solid's own coordinates, mm
-    references    not available yet
+    references    what d1, d2, ... measure to, in this order: (object, "Face3") for a face, edge, vertex or
+                  solid of an object with solids, "Face3" for one of `solid` itself, an object for its only
+                  solid; s1, s2, ... are the same distances with a sign, for solids
 
-    Raises core.InvalidInput (core.FormulaError for the formula), and leaves the solid as it was. One undo
+    Raises core.InvalidInput (core.FormulaError for the formula), core.GeometryError for a reference whose
+    shape has no valid solid, and leaves the solid as it was. One undo
     step. Returns the solid.
     """
     fractions = [fractions] if isinstance(fractions, str) else list(fractions)
     parameters = {name: plain_number(value) for name, value in (parameters or {}).items()}
     frame = FreeCAD.Placement() if frame is None else frame
     names = [_constituent_name(constituent, solid) for constituent in constituents]
-    _check(solid, fractions, parameters, frame, names, references)
+    _check(solid, fractions, frame, names)
+    links = links_of(references, solid)
+    _material(fractions, parameters, frame, links, solid)
 
     with transaction(solid.Document, "Attach graded material"):
         _add_missing_properties(solid)
         solid.FGMConstituents = names
         solid.FGMFractions = fractions
         solid.FGMFrame = frame
+        set_links(solid, links)
         _set_parameters(solid, parameters)
     return solid
 
@@ -87,7 +106,9 @@ def material_of(solid):
     """The core.Material of `solid`, in the coordinates of `solid.Shape`. Raises core.InvalidInput."""
     if not has_material(solid):
         raise core.InvalidInput(f"{solid.Label} has no graded material: give it one with attach_material()")
-    return _material(solid.FGMFractions, parameters_of(solid), frame_in_document(solid))
+    check_complete(solid)
+    links = stored_links(solid)
+    return _material(solid.FGMFractions, parameters_of(solid), frame_in_document(solid), links, solid)
 
 
 def plain_number(value):
@@ -98,13 +119,14 @@ def plain_number(value):
         raise core.InvalidInput(f"a parameter must be a number, not {value!r}") from None
 
 
-def _material(fractions, parameters, frame):
+def _material(fractions, parameters, frame, links, solid):
     matrix = frame.Rotation.toMatrix().A
     rotation = [matrix[0:3], matrix[4:7], matrix[8:11]]
-    return core.Material(list(fractions), parameters, tuple(frame.Base), rotation)
+    references = measured(links, solid)
+    return core.Material(list(fractions), parameters, tuple(frame.Base), rotation, references)
 
 
-def _check(solid, fractions, parameters, frame, names, references):
+def _check(solid, fractions, frame, names):
     shape = getattr(solid, "Shape", None)
     if not hasattr(shape, "Solids"):
         label = getattr(solid, "Label", repr(solid))
@@ -116,8 +138,6 @@ def _check(solid, fractions, parameters, frame, names, references):
         )
     if not all(isinstance(formula, str) for formula in fractions):
         raise core.InvalidInput(f"fractions must be formulas, as text: not {fractions!r}")
-    if references:
-        raise core.InvalidInput("references (d1, s1, ...) are not available yet")
     if not isinstance(frame, FreeCAD.Placement):
         raise core.InvalidInput(f"the material's frame must be a FreeCAD.Placement, not {frame!r}")
     if names and len(names) != len(fractions) + 1:
@@ -125,7 +145,6 @@ def _check(solid, fractions, parameters, frame, names, references):
             f"{len(names)} constituents need {len(names) - 1} formulas, not {len(fractions)}: "
             "the last constituent is what the others leave"
         )
-    _material(fractions, parameters, frame)
 
 
 def _constituent_name(constituent, solid):
@@ -141,6 +160,8 @@ def _constituent_name(constituent, solid):
 
 def _add_missing_properties(solid):
     for name, kind, tip in _PROPERTIES:
+        if name in solid.PropertiesList and solid.getTypeIdOfProperty(name) != kind:
+            solid.removeProperty(name)  # as an earlier version had it
         if name not in solid.PropertiesList:
             solid.addProperty(kind, name, GROUP, tip)
 

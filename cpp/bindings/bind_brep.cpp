@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <pybind11/stl.h>
+
+#include <string>
+#include <vector>
+
+#include "bindings/bindings.hpp"
+#include "brep/references.hpp"
+#include "core/run_control.hpp"
+
+namespace py = pybind11;
+
+namespace fgmesh::bindings {
+namespace {
+
+std::vector<Reference> references(const std::string& shape, const std::vector<std::string>& names,
+                                  RunControl* control) {
+  RunControl unwatched;
+  return make_references(shape, names, control ? *control : unwatched);
+}
+
+}  // namespace
+
+void bind_brep(py::module_& module) {
+  py::class_<Reference>(module, "Reference",
+                        "A face, edge, vertex or solid of a shape to which formulas measure distances.")
+      .def_readonly("name", &Reference::name, "As FreeCAD has it: \"Face3\".")
+      .def_readonly("is_solid", &Reference::is_solid, "Whether its distance has a sign, too.")
+      .def("__repr__", [](const Reference& reference) { return "<Reference: " + reference.name + ">"; });
+
+  module.def(
+      "references", &references, py::arg("shape"), py::arg("names"), py::arg("control") = py::none(),
+      py::call_guard<py::gil_scoped_release>(),
+      "A list of Reference to the parts `names` of the solids in the content (bytes) of a BREP or STEP "
+      "file. Raises InvalidInput that names a part which is not there, GeometryError or Cancelled.");
+}
+
+}  // namespace fgmesh::bindings

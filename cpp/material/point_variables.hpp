@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/reference.hpp"
+#include "material/formula_program.hpp"
+#include "material/frame_coordinates.hpp"
+
+namespace fgmesh {
+
+/// All that a formula may read at points of the world: coordinates in a frame and distances to references.
+class PointVariables final : public PointInputs {
+ public:
+  PointVariables(const Frame& frame, const std::vector<Reference>& references, const Vec3* points)
+      : coordinates_(frame, points), references_(references), points_(points) {}
+
+  void values(Variable variable, std::size_t first, std::size_t count, double* out) const override;
+
+  /// Gradients in the world's axes.
+  void duals(Variable variable, std::size_t first, std::size_t count, std::size_t stride,
+             double* out) const override;
+
+ private:
+  FrameCoordinates coordinates_;
+  const std::vector<Reference>& references_;
+  const Vec3* points_;
+};
+
+/// What `variable` can be within a box of the world.
+Interval variable_bounds(const Frame& frame, const std::vector<Reference>& references, const Box& box,
+                         Variable variable);
+
+}  // namespace fgmesh

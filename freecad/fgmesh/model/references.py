@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The faces, edges, vertices and solids to which a solid's formula measures distances.
+
+They are kept in two properties: FGMReferences holds the links. FreeCAD takes a link away with the object that it
+leads to, and d2 would become d1; FGMReferenceNames remembers what there was.
+"""
+from freecad.fgmesh import core
+from freecad.fgmesh.model.shapes import brep_text
+
+# A plain App::PropertyLinkSubList that leads to a face of its own solid makes a cycle: FreeCAD would refuse to
+# recompute the document.
+LINKS = "App::PropertyLinkSubListHidden"
+
+
+def links_of(references, solid):
+    """[(object, name of a part or "")] of what a user gives as `references`: pairs of object and name or names,
+    objects for their solid, names for parts of `solid` itself. Raises core.InvalidInput."""
+    links = []
+    for reference in [references] if isinstance(references, str) else references:
+        if isinstance(reference, str):
+            reference = (solid, reference)
+        elif not isinstance(reference, (tuple, list)):
+            reference = (reference, "")
+        if len(reference) != 2:
+            raise core.InvalidInput(f"{reference!r} is no reference: give (object, 'Face3')")
+        thing, names = reference
+        names = [names] if isinstance(names, str) else list(names)
+        if getattr(thing, "Document", None) != solid.Document or not all(isinstance(n, str) for n in names):
+            raise core.InvalidInput(
+                f"{reference!r} is no reference: give (object, 'Face3') with an object of the document "
+                f"{solid.Document.Label}"
+            )
+        links += [(thing, name) for name in names]
+    return links
+
+
+def set_links(solid, links):
+    """Stores `links` in the properties, which must be there."""
+    solid.FGMReferences = [(thing, (name,)) for thing, name in links]
+    solid.FGMReferenceNames = [full_name(*link) for link in links]
+
+
+def stored_links(solid):
+    """The links in the properties of `solid`, in the order of d1, d2, ..."""
+    return [
+        (thing, name) for thing, names in getattr(solid, "FGMReferences", []) for name in (names or ("",))
+    ]
+
+
+def full_name(thing, name):
+    return f"{thing.Name}.{name}" if name else thing.Name
+
+
+def check_complete(solid):
+    """Raises core.InvalidInput that names the references whose objects were deleted."""
+    remembered, links = getattr(solid, "FGMReferenceNames", []), stored_links(solid)
+    if len(links) >= len(remembered):
+        return
+    present = {full_name(*link) for link in links}
+    lost = ", ".join(
+        f"d{number} ({name})" for number, name in enumerate(remembered, 1) if name not in present
+    )
+    raise core.InvalidInput(
+        f"{solid.Label} has lost the reference {lost}: its object was deleted; attach the material anew"
+    )
+
+
+def measured(links, solid):
+    """A core.Reference for each of `links`, in the coordinates of `solid.Shape`. Raises core.InvalidInput that
+    names a part which is lost, core.GeometryError for an object without a valid solid."""
+    made = {}
+    for thing in dict.fromkeys(link[0] for link in links):
+        own = [link for link in links if link[0] == thing]
+        try:
+            text = brep_text(_shape_beside(thing, solid))
+            references = core.references(text, [_part_name(*link) for link in own])
+        except core.InvalidInput as error:
+            raise core.InvalidInput(f"{thing.Label}: {error}") from None
+        except core.GeometryError as error:
+            raise core.GeometryError(f"{thing.Label}, a reference of {solid.Label}: {error}") from None
+        made.update(zip(own, references))
+    return [made[link] for link in links]
+
+
+def _part_name(thing, name):
+    # FreeCAD 1.x marks a part that it no longer finds by a question mark.
+    name = name.lstrip("?")
+    if name:
+        return name
+    if len(thing.Shape.Solids) != 1:
+        raise core.InvalidInput(f"it has {len(thing.Shape.Solids)} solids: name one, as in 'Solid1'")
+    return "Solid1"
+
+
+def _shape_beside(thing, solid):
+    """The shape of `thing` in the coordinates in which `solid.Shape` is given: those of its container."""
+    shape = getattr(thing, "Shape", None)
+    if shape is None or not hasattr(shape, "Solids") or shape.isNull():
+        raise core.InvalidInput(
+            "it has no shape that a distance could be measured to: recompute the document"
+        )
+    if thing == solid:
+        return shape
+    moved = shape.copy(False)
+    moved.Placement = _container(solid).inverse().multiply(_container(thing)).multiply(shape.Placement)
+    return moved
+
+
+def _container(thing):
+    return thing.getGlobalPlacement().multiply(thing.Placement.inverse())
+
+
+def fingerprint(solid, shape_hash, numbers):
+    """What tells whether a mesh was made with these references: a list of small dictionaries. `solid` itself is
+    told of elsewhere; others by `shape_hash(shape)` and `numbers(placement)`."""
+    found = []
+    for thing, name in stored_links(solid):
+        entry = {"name": full_name(thing, name)}
+        if thing != solid and hasattr(thing, "Shape"):
+            place = _container(solid).inverse().multiply(thing.getGlobalPlacement())
+            entry.update(shape=shape_hash(thing.Shape), placement=numbers(place))
+        found.append(entry)
+    return found
