@@ -81,7 +81,8 @@ void bind_options(py::module_& module) {
       "part."
       "\nmaterial_threshold: largest difference of composition in a tetrahedron, in (0, 1]."
       "\nsurface_deviation: largest distance of a facet's centre to the true boundary."
-      "\nmin_size, max_size: of edges. anisotropy: largest stretch across the gradient. order: 1 or 2."
+      "\nmin_size, max_size: of edges. anisotropy: largest stretch across the gradient. order: 2 for "
+      "ten-node tetrahedra."
       "\nstop_after: \"initial\", \"material\" or \"geometry\". threads: without effect yet, one is used. "
       "seed: of random choices.";
   py::class_<MeshingOptions> options(module, "MeshingOptions", doc.c_str());
@@ -144,10 +145,14 @@ py::array table(const std::vector<Row>& rows, const py::object& owner) {
   return view<Number>(rows.data(), {static_cast<py::ssize_t>(rows.size()), kColumns}, owner);
 }
 
-template <class Number, class Rows>
-void def_table(py::class_<MeshingResult>& result, const char* name, Rows TetMesh::*rows) {
-  result.def_property_readonly(name, [rows](const py::object& self) {
-    return table<Number>(self.cast<const MeshingResult&>().mesh.*rows, self);
+/// The rows of the mesh as it was asked for: of first or of second order.
+template <class Number, class Row, class LongRow>
+void def_table(py::class_<MeshingResult>& result, const char* name, std::vector<Row> TetMesh::*rows,
+               std::vector<LongRow> SecondOrderMesh::*long_rows) {
+  result.def_property_readonly(name, [rows, long_rows](const py::object& self) {
+    const MeshingResult& found = self.cast<const MeshingResult&>();
+    return found.second_order.tets.empty() ? table<Number>(found.mesh.*rows, self)
+                                           : table<Number>(found.second_order.*long_rows, self);
   });
 }
 
@@ -171,18 +176,21 @@ void bind_result(py::module_& module) {
       module, "MeshingResult",
       "A mesh and its figures. Arrays are read-only views of the C++ memory, which "
       "lives as long as any of them.");
-  def_table<double>(result, "points", &TetMesh::points);
-  def_table<std::int32_t>(result, "carriers", &TetMesh::carriers);
-  def_table<std::int32_t>(result, "tets", &TetMesh::tets);
+  def_table<double>(result, "points", &TetMesh::points, &SecondOrderMesh::points);
+  def_table<std::int32_t>(result, "carriers", &TetMesh::carriers, &SecondOrderMesh::carriers);
+  def_table<std::int32_t>(result, "tets", &TetMesh::tets, &SecondOrderMesh::tets);
   def_column(result, "tet_solids", &TetMesh::tet_solids);
-  def_table<std::int32_t>(result, "triangles", &TetMesh::triangles);
+  def_table<std::int32_t>(result, "triangles", &TetMesh::triangles, &SecondOrderMesh::triangles);
   def_column(result, "triangle_faces", &TetMesh::triangle_faces);
-  def_table<std::int32_t>(result, "edges", &TetMesh::edges);
+  def_table<std::int32_t>(result, "edges", &TetMesh::edges, &SecondOrderMesh::edges);
   def_column(result, "edge_edges", &TetMesh::edge_edges);
   def_column(result, "fraction", &MeshingResult::fraction);
   def_column(result, "variation", &MeshingResult::variation);
   def_column(result, "dihedral_min", &MeshingResult::dihedral_min);
   def_column(result, "above_threshold", &MeshingResult::above_threshold);
+  result.def_property_readonly("straightened", [](const py::object& self) {
+    return column(self.cast<const MeshingResult&>().second_order.straightened, self);
+  });
   result.def_readonly("stages", &MeshingResult::stages)
       .def_readonly("status", &MeshingResult::status)
       .def_readonly("messages", &MeshingResult::messages)
@@ -195,7 +203,7 @@ void bind_result(py::module_& module) {
       .def_readonly("peak_memory_mb", &MeshingResult::peak_memory_mb)
       .def("__repr__", [](const MeshingResult& result) {
         return py::str("<MeshingResult: {} tetrahedra, {} points, {}>")
-            .format(result.mesh.tets.size(), result.mesh.points.size(), result.status);
+            .format(result.mesh.tets.size(), result.fraction.size(), result.status);
       });
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <sstream>
 
 #include "brep/brep_model.hpp"
@@ -10,7 +11,9 @@
 #include "mesh/geometry_refinement.hpp"
 #include "mesh/initial.hpp"
 #include "mesh/material_refinement.hpp"
+#include "mesh/second_order.hpp"
 #include "mesh/steiner_points.hpp"
+#include "quality/curved_tets.hpp"
 #include "quality/mesh_statistics.hpp"
 #include "quality/validity.hpp"
 
@@ -55,6 +58,27 @@ void run_stage(const char* name, const MeshState& state, MeshingResult& result, 
   result.stages.back().seconds = seconds.count();
 }
 
+/// Adds the nodes in the middle of edges, and the volume fraction at them.
+void raise_order(const MeshState& state, MeshingResult& result, RunControl& control) {
+  control.begin_stage("second order");
+  result.second_order = make_second_order(result.mesh, state.boundary(), control);
+  const SecondOrderMesh& mesh = result.second_order;
+  std::vector<double>& fraction = result.fraction;
+  fraction.resize(mesh.points.size(), std::numeric_limits<double>::quiet_NaN());
+  for (const auto& tet : mesh.tets) {
+    control.check();
+    for (int k = 0; k < 6; ++k) {
+      double& value = fraction[tet[4 + k]];
+      if (!std::isnan(value)) continue;
+      Vertex node;
+      node.position = mesh.points[tet[4 + k]];
+      const auto& [i, j] = kMiddleEdges[k];
+      // Between chord and true boundary, outside the solid, f may be undefined.
+      value = state.evaluate(node) ? node.value : 0.5 * (fraction[tet[i]] + fraction[tet[j]]);
+    }
+  }
+}
+
 /// Integral of |grad f|^3 over the mesh, by its value at the centroids.
 double gradient_cubed(const TetMesh& mesh, const ScalarField& field) {
   std::vector<Vec3> centres;
@@ -75,11 +99,14 @@ double gradient_cubed(const TetMesh& mesh, const ScalarField& field) {
   return sum;
 }
 
-double largest_deviation(const TetMesh& mesh, const BoundaryGeometry& boundary) {
+double largest_deviation(const MeshingResult& result, const BoundaryGeometry& boundary) {
+  const TetMesh& mesh = result.mesh;
+  const bool curved = !result.second_order.triangles.empty();
   double largest = 0.0;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto& [a, b, c] = mesh.triangles[i];
-    const Vec3 centre = (mesh.points[a] + mesh.points[b] + mesh.points[c]) / 3.0;
+    const Vec3 centre = curved ? centre_of_triangle(result.second_order, i)
+                               : Vec3((mesh.points[a] + mesh.points[b] + mesh.points[c]) / 3.0);
     const Vec3 nearest = boundary.project_to_face(mesh.triangle_faces[i], centre).position;
     largest = std::max(largest, (nearest - centre).norm());
   }
@@ -122,6 +149,24 @@ std::string describe_misses(const MeshingResult& result, const ScalarField& fiel
   return text.str();
 }
 
+/// How many edges could not follow the true boundary, where, and what may be done.
+std::string describe_straightened(const MeshingResult& result) {
+  const SecondOrderMesh& mesh = result.second_order;
+  Vec3 low = mesh.points[mesh.straightened[0]], high = low;
+  for (const std::int32_t node : mesh.straightened) {
+    low = low.cwiseMin(mesh.points[node]);
+    high = high.cwiseMax(mesh.points[node]);
+  }
+  const auto kept = std::count_if(mesh.carriers.begin() + result.mesh.points.size(), mesh.carriers.end(),
+                                  [](const Carrier& carrier) { return carrier.dimension < 3; });
+  std::ostringstream text;
+  text << mesh.straightened.size() << " of " << kept + mesh.straightened.size()
+       << " middle nodes of boundary edges stay off the true boundary, within " << Shown{low} << " to "
+       << Shown{high} << " mm, since curved tetrahedra would be turned over there: lower SurfaceDeviation or "
+       << "MaxSize";
+  return text.str();
+}
+
 void finish(MeshingResult& result, const BrepModel& model, const ScalarField& field,
             const MeshingOptions& options) {
   result.variation = variations(result.mesh, result.fraction);
@@ -137,7 +182,7 @@ void finish(MeshingResult& result, const BrepModel& model, const ScalarField& fi
   if (integral > 0.0)
     result.element_ratio =
         static_cast<double>(result.mesh.tets.size()) * std::pow(options.material_threshold, 3) / integral;
-  result.deviation_max = largest_deviation(result.mesh, model);
+  result.deviation_max = largest_deviation(result, model);
   result.surface_deviation = options.surface_deviation;
   if (options.stop_after == "geometry" && result.deviation_max > options.surface_deviation) {
     if (result.status == "ok") result.status = "deviation_not_met";
@@ -146,7 +191,8 @@ void finish(MeshingResult& result, const BrepModel& model, const ScalarField& fi
          << options.surface_deviation << " mm are allowed: lower MinSize, now " << options.min_size << " mm";
     result.messages.push_back(text.str());
   }
-  result.volume = volume(result.mesh);
+  if (!result.second_order.straightened.empty()) result.messages.push_back(describe_straightened(result));
+  result.volume = result.second_order.tets.empty() ? volume(result.mesh) : volume(result.second_order);
   result.shape_volume = model.volume();
   result.peak_memory_mb = peak_memory_mb();
 }
@@ -187,6 +233,7 @@ MeshingResult generate_mesh(const std::string& shape, const ScalarField& materia
       refine_geometry(state, refinement, control);
     });
   }
+  if (options.order == 2) raise_order(state, result, control);
   finish(result, model, material, options);
   return result;
 }

@@ -33,7 +33,6 @@ void MeshingOptions::validate() const {
   if (!(anisotropy >= 1.0 && std::isfinite(anisotropy))) refuse("anisotropy", anisotropy, "at least 1");
   if (anisotropy > 1.0) throw InvalidInput("anisotropy above 1 is not available yet");
   if (order != 1 && order != 2) refuse("order", order, "1 or 2");
-  if (order == 2) throw InvalidInput("order 2 (ten-node tetrahedra) is not available yet");
   if (stop_after != "initial" && stop_after != "material" && stop_after != "geometry")
     refuse("stop_after", '"' + stop_after + '"', "\"initial\", \"material\" or \"geometry\"");
   if (threads < 0) refuse("threads", threads, "0 (all processors) or more");

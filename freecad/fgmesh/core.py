@@ -66,10 +66,14 @@ class MeshingResult:
 
     points (n, 3) float64, mm; carriers (n, 2) int32: dimension (0 vertex ... 3 solid) and 1-based number of
     the B-Rep entity that carries each point; fraction (n,): of the first constituent.
-    tets (m, 4) int32, positively oriented (VTK order); tet_solids (m,): N of SolidN; variation (m,);
-    dihedral_min (m,), degrees; above_threshold: indices of the tetrahedra above the material threshold.
-    triangles (t, 3) int32, boundary and interfaces, outward; triangle_faces (t,): N of FaceN.
-    edges (e, 2) int32, mesh edges along B-Rep edges; edge_edges (e,): N of EdgeN.
+    tets (m, 4) int32, positively oriented (VTK order), or (m, 10) where options.order is 2: points and rows
+    then begin as they would without, with the nodes in the middle of edges behind the corners; tet_solids (m,): N of SolidN; variation (m,);
+    dihedral_min (m,), degrees; both of the corners; above_threshold: indices of the tetrahedra above the
+    material threshold.
+    triangles (t, 3 or 6) int32, boundary and interfaces, outward; triangle_faces (t,): N of FaceN.
+    edges (e, 2 or 3) int32, mesh edges along B-Rep edges; edge_edges (e,): N of EdgeN.
+    straightened: indices of middle nodes that are not on the true boundary, since a tetrahedron would be
+    turned over there.
     stages: list of StageReport; messages: list of str, for a reader.
     status: "ok"; "threshold_not_met" (some tetrahedra stay above); else "deviation_not_met" (the boundary is
     farther from the true one than surface_deviation).
@@ -95,7 +99,8 @@ class MeshingResult:
 
 
 def generate_mesh(brep, material, options=None, control=None):
-    """Mesh the solids of a B-Rep: initial mesh, material-oriented refinement, geometry-oriented refinement.
+    """Mesh the solids of a B-Rep: initial mesh, material-oriented refinement, geometry-oriented refinement;
+    then nodes in the middle of edges where options.order is 2.
 
     brep: what `read_shape` takes. material: Material. options: MeshingOptions, its defaults where None.
     control: RunControl, to be watched or cancelled from another thread; the GIL is released meanwhile.
@@ -164,8 +169,9 @@ def frame_rotation(axis):
 def report(result):
     """The figures of a MeshingResult as plain values, ready for json.dump.
 
-    One entry a stage under "stages" (counts; variation and dihedral angles with histograms; seconds), then
-    the element ratio eta = N threshold^3 / integral |grad f|^3 dV, the largest deviation from the B-Rep (mm),
+    One entry a stage under "stages" (counts of corners, facets and tetrahedra; variation and dihedral angles
+    with histograms; seconds), the order of the tetrahedra, the number of all points ("points") and of those
+    in the middle of a boundary edge that are not on the true boundary ("straightened"). Then the element ratio eta = N threshold^3 / integral |grad f|^3 dV, the largest deviation from the B-Rep (mm),
     volumes (mm^3) and the messages of the run. "certified" is empty: bounds between vertices are not proven
     yet.
     """
@@ -173,6 +179,9 @@ def report(result):
         "status": result.status,
         "threshold": result.material_threshold,
         "stages": [_stage(stage) for stage in result.stages],
+        "order": 2 if result.tets.shape[1] == 10 else 1,
+        "points": len(result.points),
+        "straightened": len(result.straightened),
         "element_ratio": result.element_ratio,
         "certified": {},
         "deviation_max": result.deviation_max,

@@ -19,11 +19,12 @@ STAGE_NAMES = {"initial": "I-Mesh", "material": "M-Mesh", "geometry": "G-Mesh"} 
 
 
 def read_tets(path):
-    """Points (n, 3), tetrahedra (m, 4) and the first fraction (n,) of a .vtu file that FGMesh wrote."""
+    """Points (n, 3), corners (m, 4) of the tetrahedra and the first fraction (n,) of a .vtu file of FGMesh."""
     import meshio
 
     mesh = meshio.read(path)
-    return mesh.points, mesh.get_cells_type("tetra"), mesh.point_data["fraction_1"]
+    (tets,) = (block.data[:, :4] for block in mesh.cells if block.type in ("tetra", "tetra10"))
+    return mesh.points, tets, mesh.point_data["fraction_1"]
 
 
 def draw_mesh(points, tets, fraction, path):

@@ -22,8 +22,8 @@ def nodes_of(mesh):
 
 
 def tets_of(mesh):
-    """Node rows (m, 4) in the order that FreeCAD gives them back."""
-    return np.array([mesh.FemMesh.getElementNodes(number) for number in mesh.FemMesh.Volumes]) - 1
+    """Corner rows (m, 4) in the order that FreeCAD gives them back."""
+    return np.array([mesh.FemMesh.getElementNodes(number)[:4] for number in mesh.FemMesh.Volumes]) - 1
 
 
 def volume_of(mesh):
@@ -114,19 +114,25 @@ def test_figures_are_those_of_the_mesh(mesh):
     assert report["stages"][-1]["tets"] == mesh.TetCount
 
 
-def test_calculix_takes_the_elements(mesh, tmp_path):
-    """A tetrahedron numbered in the wrong sense has a non-positive Jacobian."""
+def calculix(mesh, folder, output):
+    """Elements as FreeCAD writes them, a load on one node; gives what CalculiX prints to its .dat file.
+
+    A tetrahedron numbered in the wrong sense has a non-positive Jacobian."""
     assert shutil.which("ccx")
-    mesh.FemMesh.writeABAQUS(str(tmp_path / "mesh.inp"), 1, False)
-    (tmp_path / "deck.inp").write_text(
+    mesh.FemMesh.writeABAQUS(str(folder / "mesh.inp"), 1, False)
+    (folder / "deck.inp").write_text(
         "*INCLUDE, INPUT=mesh.inp\n*MATERIAL, NAME=M\n*ELASTIC\n1000, 0.3\n"
         "*SOLID SECTION, ELSET=Evolumes, MATERIAL=M\n*BOUNDARY\n1, 1, 3\n2, 1, 3\n3, 1, 3\n"
-        "*STEP\n*STATIC\n*CLOAD\n4, 3, 1.0\n*NODE PRINT, NSET=Nall\nU\n*END STEP\n"
+        f"*STEP\n*STATIC\n*CLOAD\n4, 3, 1.0\n{output}\n*END STEP\n"
     )
-    done = subprocess.run(["ccx", "deck"], cwd=tmp_path, capture_output=True, text=True, timeout=120)
+    done = subprocess.run(["ccx", "deck"], cwd=folder, capture_output=True, text=True, timeout=120)
     assert "nonpositive jacobian" not in done.stdout.lower()
     assert "*ERROR" not in done.stdout, done.stdout[-2000:]
-    assert (tmp_path / "deck.dat").stat().st_size
+    return (folder / "deck.dat").read_text()
+
+
+def test_calculix_takes_the_elements(mesh, tmp_path):
+    assert calculix(mesh, tmp_path, "*NODE PRINT, NSET=Nall\nU")
 
 
 def test_curved_faces(document, placement, fgmesh):
@@ -144,6 +150,28 @@ def test_curved_faces(document, placement, fgmesh):
     surface = [FreeCAD.Vector(*nodes_of(mesh)[n - 1]) for n in groups_of(mesh)["Face1_Nodes"]]
     own = np.array([placement.inverse().multVec(point) for point in surface])
     assert np.hypot(own[:, 0], own[:, 1]) == pytest.approx(5, abs=1e-7)
+
+
+def test_second_order(document, placement, fgmesh, tmp_path):
+    cylinder = document.addObject("Part::Cylinder", "Cylinder")
+    cylinder.Radius, cylinder.Height, cylinder.Placement = 5, 8, placement
+    document.recompute()
+    fgmesh.attach_material(cylinder, "r/5")
+    mesh = fgmesh.make_mesh(document, cylinder)
+    mesh.MaterialThreshold, mesh.SurfaceDeviation, mesh.SecondOrder = 0.4, 0.3, True
+    result = fgmesh.generate(mesh)
+    fem = mesh.FemMesh
+    assert (mesh.Status, len(result.straightened)) == ("ok", 0)
+    assert mesh.PointCount == fem.NodeCount == len(mesh.Fractions) == len(result.points)
+    assert mesh.TetCount == fem.TetraCount and {len(fem.getElementNodes(n)) for n in fem.Volumes} == {10}
+    assert_groups_fit(mesh, cylinder.Shape)
+    exact = math.pi * 5**2 * 8
+    assert abs(volume_of(mesh) / exact - 1) > 0.005  # of straight tetrahedra
+    printed = calculix(mesh, tmp_path, "*EL PRINT, ELSET=Evolumes, TOTALS=ONLY\nEVOL")
+    assert "C3D10" in (tmp_path / "mesh.inp").read_text()
+    assert float(printed.split()[-1]) == pytest.approx(exact, rel=1e-3)
+    mesh.SecondOrder = False
+    assert mesh.Status == "out of date: SecondOrder was True, is False"
 
 
 def test_body_in_a_placed_part(document, body, fgmesh, coarse_mesh):

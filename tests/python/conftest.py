@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Shapes as files, the command line as a function, and a small mesh that no mesher made."""
 import itertools
+import re
 import subprocess
 from types import SimpleNamespace
 
@@ -54,6 +55,22 @@ def fgmesh(launcher, tmp_path):
 
 
 @pytest.fixture
+def least_jacobian(tmp_path):
+    """Smallest Jacobian determinant in the tetrahedra of a .msh file, as gmsh finds it."""
+
+    def run(path):
+        plugin = "Plugin(AnalyseMeshQuality)"
+        script = f'Merge "{path}";\n{plugin}.JacobianDeterminant = 1;\n{plugin}.Run;\n'
+        (tmp_path / "look.geo").write_text(script)
+        command = ["gmsh", str(tmp_path / "look.geo"), "-"]
+        answer = subprocess.run(command, capture_output=True, text=True, timeout=60)
+        assert "Error" not in answer.stdout + answer.stderr
+        return float(re.search(r"minJ +=\s*([^,\s]+),", answer.stdout).group(1))
+
+    return run
+
+
+@pytest.fixture
 def cube():
     """A result as generate_mesh gives it, built by hand: a cube of side 2 at the origin, 48 tetrahedra (each
     of 8 small cubes cut along its diagonal), fraction x/2, faces 1 to 6: x=0, x=2, y=0, y=2, z=0, z=2."""
@@ -85,3 +102,31 @@ def cube():
         triangles=np.vstack(triangles),
         triangle_faces=np.concatenate(faces),
     )
+
+
+MIDDLE_EDGES = np.array([(0, 1), (1, 2), (0, 2), (0, 3), (1, 3), (2, 3)])
+"""Corners around the nodes 4 to 9 of a ten-node tetrahedron, as VTK's manual draws it."""
+
+
+@pytest.fixture
+def cube10(cube):
+    """The cube of ten-node tetrahedra with straight edges: 125 points, all of a grid of 0.5."""
+    edges = np.unique(np.sort(cube.tets[:, MIDDLE_EDGES].reshape(-1, 2), axis=1), axis=0)
+    node_of = {tuple(edge): node for node, edge in enumerate(edges.tolist(), len(cube.points))}
+
+    def raised(cells, middle_edges):
+        rows = np.sort(cells[:, middle_edges], axis=2).tolist()
+        middle = [[node_of[tuple(edge)] for edge in row] for row in rows]
+        return np.hstack([cells, np.array(middle, np.int32)])
+
+    cube.tets, cube.triangles = raised(cube.tets, MIDDLE_EDGES), raised(cube.triangles, MIDDLE_EDGES[:3])
+    cube.points = np.vstack([cube.points, cube.points[edges].mean(axis=1)])
+    cube.fraction = cube.points[:, 0] / 2
+    return cube
+
+
+@pytest.fixture
+def bent_cube10(cube10):
+    """The same sheared by z += x^2 / 8, which keeps the volume: the map is quadratic, so it is exact."""
+    cube10.points = cube10.points + np.outer(cube10.points[:, 0] ** 2 / 8, [0, 0, 1])
+    return cube10

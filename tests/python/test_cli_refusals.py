@@ -122,7 +122,6 @@ def test_shape(refused, shapes, name, status, message):
         (["--seed", "4294967296"], "whole number"),
         (["--time-limit", "0"], "above 0"),
         (["--memory-limit", "-5"], "above 0"),
-        (["--order", "2"], "not available yet"),
         (["--order", "3"], "invalid choice"),
         (["--anisotropy", "2"], "not available yet"),
         (["--reference", "Face7"], "the reference Face7 is lost: the shape ends with Face6"),

@@ -114,6 +114,22 @@ def test_table_on_standard_output_and_progress_on_standard_error(meshed):
     assert re.search(r"above threshold\s+0 of \d+", done.stdout)
 
 
+def test_second_order(fgmesh, shapes, tmp_path):
+    arguments = ["--fraction", "d/10", "--threshold", "0.4", "--deviation", "0.3", "--order", "2"]
+    done = fgmesh(shapes / "ball.brep", *arguments, "-o", "ball.vtu", "--report", "ball.json")
+    assert done.returncode == 0, done.stderr
+    mesh = meshio.read(tmp_path / "ball.vtu")
+    assert [block.type for block in mesh.cells] == ["tetra10", "triangle6"]
+    on_boundary = mesh.points[np.unique(mesh.cells_dict["triangle6"])]
+    assert np.abs(np.linalg.norm(on_boundary, axis=1) - 10).max() < 1e-7
+    distance = np.linalg.norm(mesh.points, axis=1) / 10
+    assert np.allclose(mesh.point_data["fraction_1"], distance, atol=1e-9)
+    report = json.loads((tmp_path / "ball.json").read_text())
+    assert (report["order"], report["points"], report["straightened"]) == (2, len(mesh.points), 0)
+    assert report["volume"] == pytest.approx(report["shape_volume"], rel=1e-3)
+    assert re.search(rf"second order\s+{len(mesh.points)} points", done.stdout)
+
+
 def test_quiet(meshed):
     done = meshed("box.vtu", "--quiet")
     assert (done.stdout, done.stderr) == ("", "")

@@ -6,7 +6,7 @@ import meshio
 import numpy as np
 import pytest
 
-from freecad.fgmesh import io
+from freecad.fgmesh import io, pictures
 
 
 def volumes(points, tets):
@@ -118,24 +118,37 @@ def test_unv_of_coordinates_of_any_size(cube, tmp_path):
     assert np.allclose([tuple(nodes[number]) for number in range(1, 28)], cube.points, rtol=1e-15, atol=0)
 
 
-def test_inp_in_calculix(cube, tmp_path):
-    """A bar under tension: u_x = s x / E, u_y = -nu s y / E, which linear tetrahedra give exactly."""
-    io.write_mesh(cube, tmp_path / "cube.inp")
-    (tmp_path / "bar.inp").write_text(
-        "*INCLUDE, INPUT=cube.inp\n*MATERIAL, NAME=Steel\n*ELASTIC\n1000., 0.25\n"
-        "*SOLID SECTION, ELSET=Solid1, MATERIAL=Steel\n"
-        "*BOUNDARY\nFace1, 1\nFace3, 2\nFace5, 3\n"
-        "*STEP\n*STATIC\n*DLOAD\nFace2, P, -100.\n*NODE PRINT, NSET=Face2\nU\n*END STEP\n"
+@pytest.fixture(params=["cube", "cube10"])
+def any_cube(request):
+    return request.getfixturevalue(request.param)
+
+
+def calculix(folder, deck):
+    """Run a deck, given as text, in `folder`; gives the lines of what it prints into its .dat file."""
+    (folder / "deck.inp").write_text(deck)
+    answer = subprocess.run(["ccx", "deck"], cwd=folder, capture_output=True, text=True, timeout=60)
+    assert "Job finished" in answer.stdout and "nonpositive" not in answer.stdout, answer.stdout[-2000:]
+    return (folder / "deck.dat").read_text().splitlines()
+
+
+MATERIAL = "*MATERIAL, NAME=Steel\n*ELASTIC\n1000., 0.25\n*SOLID SECTION, ELSET=Solid1, MATERIAL=Steel\n"
+
+
+def test_inp_in_calculix(any_cube, tmp_path):
+    """A bar under tension: u_x = s x / E, u_y = -nu s y / E, which tetrahedra give exactly."""
+    io.write_mesh(any_cube, tmp_path / "cube.inp")
+    lines = calculix(
+        tmp_path,
+        f"*INCLUDE, INPUT=cube.inp\n{MATERIAL}*BOUNDARY\nFace1, 1\nFace3, 2\nFace5, 3\n"
+        "*STEP\n*STATIC\n*DLOAD\nFace2, P, -100.\n*NODE PRINT, NSET=Face2\nU\n*END STEP\n",
     )
-    answer = subprocess.run(["ccx", "bar"], cwd=tmp_path, capture_output=True, text=True, timeout=60)
-    assert "Job finished" in answer.stdout, answer.stdout[-2000:]
-    rows = [line.split() for line in (tmp_path / "bar.dat").read_text().splitlines()]
+    rows = [line.split() for line in lines]
     moved = {
         int(row[0]): [float(word) for word in row[1:]] for row in rows if len(row) == 4 and row[0].isdigit()
     }
-    assert sorted(moved) == list(np.flatnonzero(cube.points[:, 0] == 2) + 1)
+    assert sorted(moved) == list(np.flatnonzero(any_cube.points[:, 0] == 2) + 1)
     for number, (u, v, w) in moved.items():
-        _, y, z = cube.points[number - 1]
+        _, y, z = any_cube.points[number - 1]
         assert u == pytest.approx(0.2, rel=1e-5)
         assert v == pytest.approx(-0.025 * y, abs=1e-7) and w == pytest.approx(-0.025 * z, abs=1e-7)
 
@@ -145,6 +158,81 @@ def test_inp_in_meshio(cube, tmp_path):
     mesh = meshio.read(tmp_path / "cube.inp")
     assert np.array_equal(mesh.points, cube.points)
     assert np.array_equal(mesh.cells_dict["tetra"], cube.tets) and len(mesh.cells) == 1
+
+
+def test_ten_nodes_in_vtu_and_inp(bent_cube10, tmp_path):
+    for name in ("cube.vtu", "cube.inp"):
+        io.write_mesh(bent_cube10, tmp_path / name)
+        mesh = meshio.read(tmp_path / name)
+        assert np.array_equal(mesh.points, bent_cube10.points)
+        assert np.array_equal(mesh.cells_dict["tetra10"], bent_cube10.tets)
+    mesh = meshio.read(tmp_path / "cube.vtu")
+    assert [block.type for block in mesh.cells] == ["tetra10", "triangle6"]
+    assert np.array_equal(mesh.cells[1].data, bent_cube10.triangles)
+    assert np.allclose(mesh.point_data["fraction_1"], mesh.points[:, 0] / 2)
+    assert np.allclose(mesh.cell_data["variation"], 0.5)
+
+
+def test_ten_nodes_in_vtk(bent_cube10, tmp_path):
+    """VTK's own shape functions put the middle of each tetrahedron where the bending map does."""
+    vtk = pytest.importorskip("vtkmodules.vtkIOXML")
+    from vtkmodules.vtkCommonCore import reference
+
+    io.write_mesh(bent_cube10, tmp_path / "cube.vtu")
+    reader = vtk.vtkXMLUnstructuredGridReader()
+    reader.SetFileName(str(tmp_path / "cube.vtu"))
+    reader.Update()
+    grid = reader.GetOutput()
+    assert [grid.GetCellType(i) for i in (0, 48)] == [24, 22]  # VTK_QUADRATIC_TETRA, VTK_QUADRATIC_TRIANGLE
+    for i, tet in enumerate(bent_cube10.tets):
+        middle, weights = [0.0] * 3, [0.0] * 10
+        grid.GetCell(i).EvaluateLocation(reference(0), [0.25] * 3, middle, weights)
+        x, y, z = bent_cube10.points[tet[:4]].T
+        expected = (x.mean(), y.mean(), (z - x**2 / 8).mean() + x.mean() ** 2 / 8)
+        assert middle == pytest.approx(expected, abs=1e-14)
+
+
+def test_pictures_show_the_corners_of_ten_nodes(bent_cube10, tmp_path):
+    io.write_mesh(bent_cube10, tmp_path / "cube.vtu")
+    points, tets, fraction = pictures.read_tets(tmp_path / "cube.vtu")
+    assert np.array_equal(tets, bent_cube10.tets[:, :4])
+    assert len(points) == len(fraction) == 125
+
+
+def test_ten_nodes_in_gmsh(bent_cube10, least_jacobian, tmp_path):
+    io.write_mesh(bent_cube10, tmp_path / "cube.msh")
+    # Six times the volume of each tetrahedron, everywhere in it: the bending keeps volumes.
+    assert least_jacobian(tmp_path / "cube.msh") == pytest.approx(1)
+    bent_cube10.tets = bent_cube10.tets[:, [0, 1, 2, 3, 4, 5, 6, 7, 9, 8]]
+    io.write_mesh(bent_cube10, tmp_path / "cube.msh")
+    assert least_jacobian(tmp_path / "cube.msh") < 0.9
+
+
+def test_ten_nodes_of_unv_in_freecad(bent_cube10, tmp_path):
+    import FreeCAD  # noqa: F401
+    import Fem
+
+    io.write_mesh(bent_cube10, tmp_path / "cube.unv")
+    mesh = Fem.read(str(tmp_path / "cube.unv"))
+    assert (mesh.NodeCount, mesh.TetraCount, mesh.TriangleCount) == (125, 48, 48)
+    # FreeCAD turns tetrahedra over; each middle node must still be the one between its corners.
+    tets = np.array([mesh.getElementNodes(number) for number in mesh.Volumes]) - 1
+    assert np.array_equal(tets, bent_cube10.tets[:, [0, 2, 1, 3, 6, 5, 4, 7, 9, 8]])
+    triangles = np.array([mesh.getElementNodes(number) for number in mesh.Faces]) - 1
+    assert np.array_equal(triangles, bent_cube10.triangles)
+    assert mesh.Volume.Value == pytest.approx(8)
+    nodes = {mesh.getGroupName(g): mesh.getGroupElements(g) for g in mesh.Groups}["Face2_Nodes"]
+    assert sorted(nodes) == list(np.flatnonzero(bent_cube10.points[:, 0] == 2) + 1) and len(nodes) == 25
+
+
+def test_ten_nodes_in_calculix(bent_cube10, tmp_path):
+    io.write_mesh(bent_cube10, tmp_path / "cube.inp")
+    lines = calculix(
+        tmp_path,
+        f"*INCLUDE, INPUT=cube.inp\n{MATERIAL}*BOUNDARY\nFace1, 1, 3\n"
+        "*STEP\n*STATIC\n*DLOAD\nFace2, P, -100.\n*EL PRINT, ELSET=Solid1, TOTALS=ONLY\nEVOL\n*END STEP\n",
+    )
+    assert float(lines[-1]) == pytest.approx(8)
 
 
 def test_inp_refuses_a_triangle_inside_no_tetrahedron(cube, tmp_path):

@@ -87,7 +87,12 @@ def _add_mesh(group, defaults):
     )
     add("--max-size", metavar="MM", type=number, help=f"longest edge, about (default: {part})")
     add("--anisotropy", metavar="A", type=number, help="largest stretch of elements; only 1 is available yet")
-    add("--order", type=int, choices=(1, 2), help="1: 4-node tetrahedra; 2: not available yet")
+    add(
+        "--order",
+        type=int,
+        choices=(1, 2),
+        help=f"1: 4-node tetrahedra; 2: 10-node (default {defaults.order})",
+    )
     stages = ("initial", "material", "geometry")
     add("--stop-after", choices=stages, help=f"last stage to run (default {defaults.stop_after})")
 

@@ -18,6 +18,9 @@ def summary(result):
         f"volume              {figures['volume']:.6g} mm^3 (the shape: {figures['shape_volume']:.6g})",
         f"above threshold     {above} tets (threshold {figures['threshold']:g})",
     ]
+    if figures["order"] == 2:
+        off = f"{figures['straightened']} middle nodes off the true boundary"
+        lines.append(f"second order        {figures['points']} points, {off}")
     return "\n".join(lines)
 
 

@@ -3,9 +3,9 @@
 import Fem
 import numpy as np
 
-# FreeCAD numbers the corners of a tetrahedron in the opposite sense to VTK: given in VTK's order, CalculiX
+# FreeCAD numbers the nodes of a tetrahedron in the opposite sense to VTK: given in VTK's order, CalculiX
 # finds a negative Jacobian in each.
-_CORNERS = {4: [1, 0, 2, 3], 10: [1, 0, 2, 3, 4, 6, 5, 8, 7, 9]}
+_NODES = {4: [1, 0, 2, 3], 10: [1, 0, 2, 3, 4, 6, 5, 8, 7, 9]}
 
 
 def to_fem_mesh(result):
@@ -19,7 +19,7 @@ def to_fem_mesh(result):
     for number, (x, y, z) in enumerate(result.points.tolist(), 1):
         mesh.addNode(x, y, z, number)
     tets = np.asarray(result.tets)
-    volumes = tets[:, _CORNERS[tets.shape[1]]] + 1
+    volumes = tets[:, _NODES[tets.shape[1]]] + 1
     for number, nodes in enumerate(volumes.tolist(), 1):
         mesh.addVolume(nodes, number)
     triangles = np.asarray(result.triangles) + 1

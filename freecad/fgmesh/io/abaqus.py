@@ -7,7 +7,7 @@ from freecad.fgmesh.io.groups import members, node_groups
 
 
 def write_abaqus(result, path):
-    """Write elements C3D4 numbered from 1, with sets for a deck:
+    """Write elements C3D4 or C3D10 numbered from 1, with sets for a deck:
 
     ELSET SolidN; NSET FaceN, the nodes of a face, for supports; SURFACE FaceN (TYPE=ELEMENT), for pressures.
     The boundary triangles are no elements of the deck: CalculiX would take them for shells.
@@ -20,8 +20,9 @@ def write_abaqus(result, path):
             "%d, %.17g, %.17g, %.17g",
             [np.arange(1, len(result.points) + 1), *np.asarray(result.points).T],
         )
-        file.write("*ELEMENT, TYPE=C3D4, ELSET=AllSolids\n")
-        _write_rows(file, "%d, %d, %d, %d, %d", [np.arange(1, len(tets) + 1), *(tets.T + 1)])
+        nodes = tets.shape[1]  # in the order of VTK, which is that of these elements
+        file.write(f"*ELEMENT, TYPE=C3D{nodes}, ELSET=AllSolids\n")
+        _write_rows(file, "%d" + ", %d" * nodes, [np.arange(1, len(tets) + 1), *(tets.T + 1)])
         for name, elements in members("Solid", result.tet_solids):
             file.write(f"*ELSET, ELSET={name}\n")
             _write_numbers(file, elements + 1)

@@ -2,7 +2,7 @@
 """Which tetrahedron stands behind a boundary triangle."""
 import numpy as np
 
-# Corners of S1 to S4 of a C3D4 (CalculiX manual, "Four-node tetrahedral element").
+# Corners of S1 to S4 of a C3D4 or C3D10 (CalculiX manual, "Four-node tetrahedral element").
 SIDES = np.array([(0, 1, 2), (0, 3, 1), (1, 3, 2), (2, 3, 0)])
 
 
@@ -11,7 +11,7 @@ def element_sides(result):
 
     Two arrays (t,). Raises ValueError where a triangle is no side of a tetrahedron.
     """
-    tets, triangles = np.asarray(result.tets), np.asarray(result.triangles)
+    tets, triangles = np.asarray(result.tets)[:, :4], np.asarray(result.triangles)[:, :3]
     on_triangles = np.zeros(tets.max(initial=-1) + 1, bool)
     on_triangles[triangles] = True
     sides = tets[:, SIDES].reshape(-1, 3)

@@ -11,7 +11,7 @@ def members(word, numbers):
 
 
 def node_groups(result):
-    """Yield ("FaceN", 0-based points of its triangles, sorted) for each face."""
+    """Yield ("FaceN", 0-based points of its triangles, middle nodes too, sorted) for each face."""
     triangles = np.asarray(result.triangles)
     for name, chosen in members("Face", result.triangle_faces):
         yield name, np.unique(triangles[chosen])

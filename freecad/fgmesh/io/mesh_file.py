@@ -4,8 +4,8 @@
 .vtu: ParaView and VTK; every field.        .msh: gmsh 4.1; every field, physical groups SolidN and FaceN.
 .inp: CalculiX and Abaqus; sets, surfaces.  .unv: Salome and FreeCAD; groups.
 
-Points keep their order, and so do tetrahedra and, after them, triangles; but in .msh all are sorted by the
-solid or face that they belong to.
+Points keep their order, and so do tetrahedra (of four or ten nodes) and, after them, triangles; but in .msh
+all are sorted by the solid or face that they belong to.
 """
 import os
 
@@ -59,7 +59,7 @@ def cell_data(result):
 def _write_vtu(result, path):
     import meshio  # takes a while to load, and only files need it
 
-    cells = [("tetra", np.asarray(result.tets)), ("triangle", np.asarray(result.triangles))]
+    cells = [_typed("tetra", result.tets), _typed("triangle", result.triangles)]
     mesh = meshio.Mesh(np.asarray(result.points), cells, point_data(result), cell_data(result))
     mesh.write(path, file_format="vtu")
 
@@ -77,7 +77,7 @@ def _write_gmsh(result, path):
     for kind, (cell_type, word, dimension, cells, owner) in enumerate(kinds):
         for number in np.unique(owner[kind]):
             chosen = np.flatnonzero(owner[kind] == number)
-            blocks.append((cell_type, np.asarray(cells)[chosen]))
+            blocks.append(_typed(cell_type, np.asarray(cells)[chosen]))
             names[f"{word}{number}"] = np.array([number, dimension])
             for name, field in fields.items():
                 data[name].append(field[kind][chosen])
@@ -93,6 +93,13 @@ def _write_gmsh(result, path):
     points["gmsh:dim_tags"] = entities[order]
     mesh = meshio.Mesh(np.asarray(result.points)[order], blocks, points, data, field_data=names)
     mesh.write(path, file_format="gmsh")
+
+
+def _typed(kind, cells):
+    """The name that meshio gives to cells of so many nodes, and the cells."""
+    cells = np.asarray(cells)
+    nodes = cells.shape[1]
+    return (kind if nodes < 5 else f"{kind}{nodes}"), cells
 
 
 def _entities_with_cells(result):

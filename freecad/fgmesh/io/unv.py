@@ -8,7 +8,10 @@ import numpy as np
 
 from freecad.fgmesh.io.groups import members, node_groups
 
-TRIANGLE, TETRAHEDRON = 41, 111  # plane stress linear triangle, solid linear tetrahedron
+# By number of nodes: the element's code (plane stress triangles, solid tetrahedra; linear, parabolic) and its
+# nodes from those of VTK. Parabolic elements have each middle node between its corners.
+TRIANGLES = {3: (41, [0, 1, 2]), 6: (42, [0, 3, 1, 4, 2, 5])}
+TETRAHEDRA = {4: (111, [0, 1, 2, 3]), 10: (118, [0, 4, 1, 5, 2, 6, 7, 8, 9, 3])}
 NODE, ELEMENT = 7, 8  # type codes of group entries
 
 
@@ -18,7 +21,7 @@ def write_unv(result, path):
     tets, triangles = np.asarray(result.tets), np.asarray(result.triangles)
     with open(path, "w", encoding="ascii") as file:
         _dataset(file, 2411, _nodes(np.asarray(result.points)))
-        elements = [*_elements(1, TETRAHEDRON, tets), *_elements(len(tets) + 1, TRIANGLE, triangles)]
+        elements = [*_elements(1, TETRAHEDRA, tets), *_elements(len(tets) + 1, TRIANGLES, triangles)]
         _dataset(file, 2412, elements)
         groups = [(name, ELEMENT, chosen + 1) for name, chosen in members("Solid", result.tet_solids)]
         groups += [
@@ -43,10 +46,12 @@ def _nodes(points):
         yield "".join(f"{coordinate:25.16E}" for coordinate in point)
 
 
-def _elements(first, kind, cells):
-    for number, nodes in enumerate((cells + 1).tolist(), first):
+def _elements(first, kinds, cells):
+    kind, order = kinds[cells.shape[1]]
+    for number, nodes in enumerate((cells[:, order] + 1).tolist(), first):
         yield f"{number:10d}{kind:10d}{1:10d}{1:10d}{7:10d}{len(nodes):10d}"
-        yield "".join(f"{node:10d}" for node in nodes)
+        for i in range(0, len(nodes), 8):
+            yield "".join(f"{node:10d}" for node in nodes[i : i + 8])
 
 
 def _group(number, name, kind, entries):

@@ -124,7 +124,7 @@ def store(mesh, fem_mesh, report, fractions, taken):
     if mesh.Fingerprint not in mesh.Proxy.kept:
         mesh.Proxy.kept.keep(mesh.Fingerprint, mesh.FemMesh.copy())
     mesh.Proxy.kept.keep(made_from, fem_mesh)
-    mesh.PointCount, mesh.FacetCount, mesh.TetCount = last["points"], last["facets"], last["tets"]
+    mesh.PointCount, mesh.FacetCount, mesh.TetCount = report["points"], last["facets"], last["tets"]
     variation, dihedral = last["variation"], last["dihedral"]
     mesh.VariationMin, mesh.VariationMax = variation["min"], variation["max"]
     mesh.VariationMean = variation["mean"]

@@ -51,7 +51,7 @@ OPTIONS = (
         "SecondOrder",
         "order",
         "App::PropertyBool",
-        "Ten-node tetrahedra in place of four-node ones (not available yet)",
+        "Ten-node tetrahedra in place of four-node ones, with nodes on the true faces and edges",
     ),
     Option("StopAfter", "stop_after", "App::PropertyEnumeration", "The last of the three stages to run"),
     Option(

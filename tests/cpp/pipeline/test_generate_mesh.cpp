@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <sstream>
 #include <string>
 
 #include "core/error.hpp"
@@ -92,6 +93,49 @@ TEST(GenerateMesh, OfACylinderLiesOnTheTrueSurface) {
     } else {
       EXPECT_EQ(result.mesh.carriers[v].dimension, 3);
     }
+  }
+}
+
+TEST(GenerateMesh, OfSecondOrderIsTheStraightMeshWithMoreNodes) {
+  MeshingOptions options = with(0.2);
+  options.surface_deviation = 0.1;
+  const std::string cylinder = test::cylinder_text(10.0, 15.0);
+  const MeshingResult first = meshed(cylinder, "(z/15)^2", options);
+  options.order = 2;
+  const MeshingResult second = meshed(cylinder, "(z/15)^2", options);
+  EXPECT_TRUE(first.second_order.tets.empty());
+  EXPECT_EQ(first.mesh.points, second.mesh.points);
+  EXPECT_EQ(first.mesh.tets, second.mesh.tets);
+  EXPECT_EQ(first.variation, second.variation);
+  EXPECT_EQ(first.dihedral_min, second.dihedral_min);
+  const SecondOrderMesh& mesh = second.second_order;
+  ASSERT_EQ(mesh.tets.size(), second.mesh.tets.size());
+  ASSERT_EQ(second.fraction.size(), mesh.points.size());
+  for (std::size_t v = 0; v < mesh.points.size(); ++v)
+    EXPECT_NEAR(second.fraction[v], std::pow(mesh.points[v].z() / 15.0, 2), 1e-9);
+  EXPECT_LT(second.deviation_max, 0.1 * first.deviation_max);
+  EXPECT_LT(std::abs(second.volume - second.shape_volume),
+            0.01 * std::abs(first.volume - first.shape_volume));
+}
+
+TEST(GenerateMesh, OfSecondOrderRefusesAMaterialThatLeavesItsRangeInTheMiddleOfAnEdge) {
+  // A peak above 1 so narrow that no corner of the coarse mesh is on it, but the middle of an edge may be.
+  MeshingOptions options = with(0.5, "initial");
+  const std::string box = test::box_text(10, 10, 10);
+  options.max_size = 20.0;
+  const MeshingResult coarse = meshed(box, "0.5", options);
+  const auto& tet = coarse.mesh.tets[0];
+  const Vec3 p = 0.5 * (coarse.mesh.points[tet[0]] + coarse.mesh.points[tet[1]]);
+  std::ostringstream formula;
+  formula.precision(17);
+  formula << "0.5 + exp(-1000*((x - " << p.x() << ")^2 + (y - " << p.y() << ")^2 + (z - " << p.z() << ")^2))";
+  EXPECT_NO_THROW(meshed(box, formula.str(), options));
+  options.order = 2;
+  try {
+    meshed(box, formula.str(), options);
+    ADD_FAILURE() << formula.str() << " went through";
+  } catch (const InvalidInput& error) {
+    EXPECT_NE(std::string(error.what()).find("outside [0, 1]"), std::string::npos) << error.what();
   }
 }
 

@@ -34,7 +34,7 @@ TEST(MeshingOptions, RefuseEachBadValueByName) {
                  }});
   for (const double value : {0.0, 0.999, -2.0, kNan, kInfinity, 2.0})
     bad.push_back({"anisotropy", [=](MeshingOptions& o) { o.anisotropy = value; }});
-  for (const int value : {0, 2, 3, -1}) bad.push_back({"order", [=](MeshingOptions& o) { o.order = value; }});
+  for (const int value : {0, 3, -1}) bad.push_back({"order", [=](MeshingOptions& o) { o.order = value; }});
   for (const char* value : {"", "Initial", "geometry ", "end"})
     bad.push_back({"stop_after", [=](MeshingOptions& o) { o.stop_after = value; }});
   bad.push_back({"threads", [](MeshingOptions& o) { o.threads = -1; }});
@@ -65,6 +65,10 @@ TEST(MeshingOptions, TakeEachGoodValue) {
   EXPECT_NO_THROW(options.validate());
   options.max_size = 0.0;  // the default, which depends on the part
   EXPECT_NO_THROW(options.validate());
+  for (const int order : {1, 2}) {
+    options.order = order;
+    EXPECT_NO_THROW(options.validate());
+  }
   for (const char* stage : {"initial", "material", "geometry"}) {
     options.stop_after = stage;
     EXPECT_NO_THROW(options.validate());
