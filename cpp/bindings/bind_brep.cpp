@@ -16,7 +16,10 @@ namespace {
 std::vector<Reference> references(const std::string& shape, const std::vector<std::string>& names,
                                   RunControl* control) {
   RunControl unwatched;
-  return make_references(shape, names, control ? *control : unwatched);
+  std::vector<Reference> made = make_references(shape, names, control ? *control : unwatched);
+  const auto content = std::make_shared<const std::string>(shape);
+  for (Reference& reference : made) reference.shape = content;
+  return made;
 }
 
 }  // namespace
@@ -26,6 +29,9 @@ void bind_brep(py::module_& module) {
                         "A face, edge, vertex or solid of a shape to which formulas measure distances.")
       .def_readonly("name", &Reference::name, "As FreeCAD has it: \"Face3\".")
       .def_readonly("is_solid", &Reference::is_solid, "Whether its distance has a sign, too.")
+      .def_property_readonly(
+          "shape", [](const Reference& reference) { return py::bytes(*reference.shape); },
+          "Content of the file that it was found in.")
       .def("__repr__", [](const Reference& reference) { return "<Reference: " + reference.name + ">"; });
 
   module.def(

@@ -95,7 +95,14 @@ void bind_core(py::module_& module) {
       .def("cancelled", &RunControl::cancelled)
       .def("progress", &RunControl::progress, "The Progress at this moment.")
       .def("set_limits", &RunControl::set_limits, py::arg("seconds") = 0.0, py::arg("memory_mb") = 0.0,
-           "Limits in seconds from now and in MB of resident memory; 0: none.");
+           "Limits in seconds from now and in MB of resident memory; 0: none.")
+      .def("seconds_left", &RunControl::seconds_left,
+           "Seconds until the time limit, negative after it; infinite where there is none.")
+      .def("memory_limit_mb", &RunControl::memory_limit_mb, "The limit of resident memory, MB; 0: none.")
+      .def("begin_stage", &RunControl::begin_stage, py::arg("name"),
+           "Tell of a new stage; for those who pass on the progress of a run in another process.")
+      .def("report", &RunControl::report, py::arg("fraction"), py::arg("tets"),
+           "Tell how far the stage is; as begin_stage.");
 
   module.def("peak_memory_mb", &peak_memory_mb, "Largest resident memory of this process so far, MB.");
 }

@@ -15,6 +15,8 @@ struct Reference {
   /// mm, to the nearest point of the face, edge, vertex, or boundary of the solid. Where several points are
   /// the nearest the gradient is that of one of them.
   std::shared_ptr<const ScalarField> distance;
+  /// Content of the file that it was found in, so that another process can find it, too.
+  std::shared_ptr<const std::string> shape;
 };
 
 }  // namespace fgmesh

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <limits>
 
 #include "core/error.hpp"
 
@@ -35,6 +36,11 @@ void RunControl::set_limits(double seconds, double memory_mb) {
   limit_memory_mb_ = memory_mb;
 }
 
+double RunControl::seconds_left() const {
+  if (limit_seconds_ <= 0.0) return std::numeric_limits<double>::infinity();
+  return limit_seconds_ - std::chrono::duration<double>(Clock::now() - start_).count();
+}
+
 RunControl::Progress RunControl::progress() const {
   Progress progress;
   {
@@ -62,9 +68,8 @@ bool RunControl::should_stop() {
   const bool has_limits = limit_seconds_ > 0.0 || limit_memory_mb_ > 0.0;
   // Reading the clock and /proc costs more than a few tetrahedra do: look at every 16th poll only.
   if (!has_limits || polls_.fetch_add(1, std::memory_order_relaxed) % 16 != 0) return false;
-  const std::chrono::duration<double> elapsed = Clock::now() - start_;
   const char* reached = nullptr;
-  if (limit_seconds_ > 0.0 && elapsed.count() > limit_seconds_) {
+  if (seconds_left() < 0.0) {
     reached = "the time limit was reached";
   } else if (limit_memory_mb_ > 0.0 && resident_memory_mb() > limit_memory_mb_) {
     reached = "the memory limit was reached";

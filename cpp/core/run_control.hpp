@@ -24,12 +24,16 @@ class RunControl {
   /// call of this function.
   void set_limits(double seconds, double memory_mb);
 
+  /// Seconds until the time limit, negative after it; infinite where there is none.
+  double seconds_left() const;
+  double memory_limit_mb() const { return limit_memory_mb_; }
+
   void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
   bool cancelled() const noexcept { return cancelled_.load(std::memory_order_relaxed); }
 
   Progress progress() const;
 
-  // --- for the stages -----------------------------------------------------------------------
+  // --- for the stages, and for those who tell of a run in another process ---------------------
 
   void begin_stage(const std::string& name);
   void report(double fraction, std::size_t tets);

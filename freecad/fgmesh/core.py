@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """FGMesh without FreeCAD: a B-Rep and a graded material in, a tetrahedral mesh out.
 
+All in the caller's process, where a crash of OpenCASCADE or CGAL on a bad shape ends the caller, too;
+`freecad.fgmesh.worker` offers the same in a child process.
+
     from freecad.fgmesh import core
     material = core.Material(["exp(-alpha*d)"], parameters={"alpha": 0.08})
     result = core.generate_mesh("part.step", material, core.MeshingOptions(material_threshold=0.1))
@@ -62,7 +65,7 @@ __all__ = [
 
 
 class MeshingResult:
-    """What `generate_mesh` gives. The arrays are read-only views of the C++ side's memory.
+    """What `generate_mesh` gives. The arrays are read-only; their memory lives as long as any of them.
 
     points (n, 3) float64, mm; carriers (n, 2) int32: dimension (0 vertex ... 3 solid) and 1-based number of
     the B-Rep entity that carries each point; fraction (n,): of the first constituent.

@@ -3,9 +3,10 @@
 import FreeCADGui
 
 from freecad.fgmesh.model import presentation
-from freecad.fgmesh.view import ICON, mesh_view
+from freecad.fgmesh.view import ICON, mesh_view, progress
 
 presentation.show = mesh_view.show
+presentation.progress = progress.progress
 
 
 class FGMeshWorkbench(FreeCADGui.Workbench):

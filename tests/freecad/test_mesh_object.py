@@ -37,6 +37,13 @@ def groups_of(mesh):
     return {fem.getGroupName(group): set(fem.getGroupElements(group)) for group in fem.Groups}
 
 
+def contents_of(mesh):
+    """All that a run writes but for `Status`, which tells what has changed since."""
+    names = [name for name in READ_ONLY if name != "Status"]
+    figures = {name: getattr(mesh, name) for name in names}
+    return {**figures, "nodes": nodes_of(mesh).tolist(), "groups": groups_of(mesh)}
+
+
 def assert_groups_fit(mesh, shape):
     groups = groups_of(mesh)
     faces = range(1, len(shape.Faces) + 1)
@@ -243,6 +250,10 @@ def cancel(mesh, control):
     control.cancel()
 
 
+def reach_limit(mesh, control):
+    control.set_limits(seconds=1e-9)
+
+
 def lose_material(mesh, control):
     mesh.Shape.FGMFractions = []
 
@@ -257,18 +268,37 @@ def lose_solid(mesh, control):
         (spoil_formula, "InvalidInput"),
         (spoil_threshold, "InvalidInput"),
         (cancel, "Cancelled"),
+        (reach_limit, "Cancelled"),
         (lose_material, "InvalidInput"),
         (lose_solid, "InvalidInput"),
     ],
 )
-def test_failure_leaves_the_mesh(mesh, fgmesh, core, spoil, error):
+@pytest.mark.parametrize("in_process", [False, True])
+def test_failure_leaves_the_mesh(mesh, fgmesh, core, spoil, error, in_process):
     control = core.RunControl()
     spoil(mesh, control)
-    names = [name for name in READ_ONLY if name != "Status"]
-    before = [getattr(mesh, name) for name in names], nodes_of(mesh).tolist(), groups_of(mesh)
+    before = contents_of(mesh)
     with pytest.raises(getattr(core, error)):
-        fgmesh.generate(mesh, control)
-    assert ([getattr(mesh, name) for name in names], nodes_of(mesh).tolist(), groups_of(mesh)) == before
+        fgmesh.generate(mesh, control, in_process=in_process)
+    assert contents_of(mesh) == before
+
+
+def test_a_crash_leaves_the_mesh(mesh, fgmesh, core, child_double, monkeypatch):
+    mesh.Shape.Length = 11
+    before = contents_of(mesh)
+    monkeypatch.setattr("freecad.fgmesh.worker.run.child_command", lambda: child_double("os.abort()"))
+    with pytest.raises(core.GeometryError, match="crashed"):
+        fgmesh.generate(mesh)
+    assert contents_of(mesh) == before
+    assert mesh.Document.UndoMode == 0 and FreeCAD.getActiveTransaction() is None
+
+
+def test_meshing_in_this_process_gives_the_same(mesh, fgmesh):
+    before = contents_of(mesh)
+    fgmesh.generate(mesh, in_process=True)
+    after = contents_of(mesh)
+    assert after["nodes"] == before["nodes"] and after["groups"] == before["groups"]
+    assert mesh.Status == "ok"
 
 
 def test_make_mesh_refuses(box, fgmesh, core):

@@ -64,6 +64,62 @@ def run():
 QtCore.QTimer.singleShot(1000, run)
 """
 
+ESCAPE = """
+import json, os, time, traceback
+import FreeCAD, FreeCADGui
+import freecad.fgmesh as fgmesh
+from PySide import QtCore, QtGui
+
+answer = {{"frames": 0}}
+
+def count():
+    answer["frames"] += 1
+
+def escape():
+    window = FreeCADGui.getMainWindow()
+    for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
+        event = QtGui.QKeyEvent(kind, QtCore.Qt.Key_Escape, QtCore.Qt.NoModifier)
+        QtGui.QApplication.postEvent(window, event)
+    QtCore.QTimer.singleShot(500, say_yes)
+
+def say_yes():
+    question = QtGui.QApplication.activeModalWidget()
+    if question is None:  # not yet: a busy machine
+        QtCore.QTimer.singleShot(500, say_yes)
+        return
+    answer["said_yes"] = time.monotonic()
+    question.button(QtGui.QMessageBox.Yes).click()
+
+def look():
+    document = FreeCAD.openDocument({document!r})
+    mesh = document.FGMesh
+    answer["before"] = [mesh.TetCount, mesh.MaterialThreshold]
+    mesh.MaterialThreshold = 0.002
+    FreeCADGui.Selection.addSelection(mesh)
+    timer = QtCore.QTimer()
+    timer.timeout.connect(count)
+    timer.start(100)
+    QtCore.QTimer.singleShot(2000, escape)
+    FreeCADGui.runCommand("FGMesh_Mesh")
+    answer["delay"] = time.monotonic() - answer["said_yes"]
+    answer["after"] = mesh.TetCount
+    mesh.MaterialThreshold = answer["before"][1]
+    FreeCADGui.runCommand("FGMesh_Mesh")
+    answer["again"] = [mesh.TetCount, mesh.Status]
+
+def run():
+    try:
+        look()
+    except Exception:
+        answer["error"] = traceback.format_exc()
+    with open({answer!r}, "w") as file:
+        json.dump(answer, file)
+    os._exit(0)
+
+FreeCADGui.activateWorkbench("FGMeshWorkbench")
+QtCore.QTimer.singleShot(1000, run)
+"""
+
 
 @pytest.fixture
 def artifacts(build_dir):
@@ -135,3 +191,17 @@ def test_workbench(saved_document, tmp_path, build_dir, artifacts):
     pixels = image.imread(str(picture))[:, :, :3]
     covered = (np.abs(pixels - 1).sum(axis=2) > 0.05).mean()
     assert 0.1 < covered < 0.9
+
+
+def test_escape_cancels_and_windows_stay_alive(saved_document, tmp_path, build_dir):
+    answer_file = tmp_path / "answer.json"
+    script = ESCAPE.format(document=saved_document, answer=str(answer_file))
+    output = run_gui(script, tmp_path, build_dir)
+    assert answer_file.exists(), output[-3000:]
+    answer = json.loads(answer_file.read_text())
+    assert "error" not in answer, answer["error"]
+    assert 'cancelled in the stage "material"' in output
+    assert answer["frames"] >= 3
+    assert answer["delay"] < 2
+    assert answer["after"] == answer["before"][0]
+    assert answer["again"] == [answer["before"][0], "ok"]

@@ -3,6 +3,7 @@
 import itertools
 import re
 import subprocess
+import sys
 from types import SimpleNamespace
 
 import numpy as np
@@ -45,10 +46,11 @@ def launcher(build_dir):
 
 @pytest.fixture
 def fgmesh(launcher, tmp_path):
-    """Run the command line in an empty folder; gives the completed process, output as text."""
+    """Run the command line, or another `program`, in an empty folder; gives the completed process, output as
+    text."""
 
-    def run(*arguments, **keywords):
-        command = [str(launcher), *map(str, arguments)]
+    def run(*arguments, program=(launcher,), **keywords):
+        command = [*map(str, program), *map(str, arguments)]
         return subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=120, **keywords)
 
     return run
@@ -68,6 +70,33 @@ def least_jacobian(tmp_path):
         return float(re.search(r"minJ +=\s*([^,\s]+),", answer.stdout).group(1))
 
     return run
+
+
+@pytest.fixture
+def changed_fgmesh(build_dir, tmp_path_factory):
+    """A function: a program, the command line after some lines of Python."""
+
+    def make(lines):
+        script = tmp_path_factory.mktemp("changed") / "fgmesh.py"
+        script.write_text(
+            f"import sys\nsys.path.insert(0, {str(build_dir / 'Mod' / 'FGMesh')!r})\n{lines}\n"
+            "from freecad.fgmesh.cli.main import main\nsys.exit(main())\n"
+        )
+        return sys.executable, "-P", script
+
+    return make
+
+
+@pytest.fixture
+def fgmesh_whose_child(changed_fgmesh, child_double):
+    """A function: the command line whose meshing process does `action` in place of meshing."""
+
+    def make(action):
+        return changed_fgmesh(
+            "from freecad.fgmesh.worker import run\n" f"run.child_command = lambda: {child_double(action)!r}"
+        )
+
+    return make
 
 
 @pytest.fixture

@@ -31,12 +31,12 @@ MODEL = {"core", "model"}
 PYTHON_LAYERS = {
     "core": {"_core"},
     "io": {"core"},
-    "cli": {"core", "io"},
+    "worker": {"core"},
+    "cli": {"core", "io", "worker"},
     "__main__": {"cli"},
     "pictures": {"core", "io"},
     "model": {"core"},
-    "fem": {"core", "io", "model"},
-    "worker": {"core", "io", "model", "fem"},
+    "fem": {"core", "io", "model", "worker"},
     "view": MODEL | {"fem"},
     "panels": MODEL | {"fem", "view", "worker"},
     "commands": MODEL | {"fem", "view", "panels", "worker"},
@@ -45,7 +45,7 @@ PYTHON_LAYERS = {
 }
 """Module or folder of freecad/fgmesh/: the others that it may import."""
 
-WITHOUT_FREECAD = {"core", "io", "cli", "__main__", "pictures", "__init__"}
+WITHOUT_FREECAD = {"core", "io", "worker", "cli", "__main__", "pictures", "__init__"}
 WITH_GUI = {"view", "panels", "commands", "init_gui"}
 FREECAD = {
     "FreeCAD",

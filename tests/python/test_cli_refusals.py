@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Bad input: its own message, its exit status, existing outputs untouched."""
 import json
-import resource
 
 import pytest
 
@@ -214,10 +213,22 @@ def test_report_must_not_overwrite_inputs_or_the_mesh(fgmesh, shapes, tmp_path):
     assert (tmp_path / "m.json").read_text() == '{"fractions": ["x/10"]}'
 
 
-def test_disk_that_is_full(refused, shapes):
-    """A limit on the size of files stands for a disk without room."""
-    limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (2000, 2000))  # noqa: E731
-    refused(2, "cannot write", shapes / "box.brep", *GOOD, "--quiet", preexec_fn=limit)
+def test_disk_that_is_full(refused, shapes, changed_fgmesh):
+    """A limit on the size of files, set when the mesh is there, stands for a disk without room."""
+    program = changed_fgmesh(
+        "import resource\n"
+        "from freecad.fgmesh.cli import outputs\n"
+        "def limited(*given, write=outputs.write):\n"
+        "    resource.setrlimit(resource.RLIMIT_FSIZE, (2000, 2000))\n"
+        "    write(*given)\n"
+        "outputs.write = limited"
+    )
+    refused(2, "cannot write", shapes / "box.brep", *GOOD, "--quiet", program=program)
+
+
+def test_shape_that_crashes_the_library(refused, shapes, fgmesh_whose_child):
+    done = refused(3, "crashed", shapes / "box.brep", *GOOD, program=fgmesh_whose_child("os.abort()"))
+    assert "SIGABRT" in done.stderr and "repair" in done.stderr
 
 
 def test_usage_without_arguments(fgmesh):

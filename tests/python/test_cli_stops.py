@@ -4,6 +4,7 @@ import signal
 import subprocess
 import threading
 import time
+from pathlib import Path
 
 import pytest
 
@@ -17,9 +18,9 @@ def started(launcher, shapes, tmp_path):
     """Start a run in a folder with an old output; gives the process and a function that waits for a text."""
     processes = []
 
-    def start(part, *arguments):
+    def start(part, *arguments, program=(launcher,)):
         (tmp_path / "out.vtu").write_text("precious")
-        command = [launcher, shapes / part, *arguments, "-o", "out.vtu", "--report", "out.json"]
+        command = [*program, shapes / part, *arguments, "-o", "out.vtu", "--report", "out.json"]
         process = subprocess.Popen(
             command, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
         )
@@ -119,6 +120,42 @@ def test_time_limit(started, tmp_path):
 def test_memory_limit(started, tmp_path):
     process, _, errors = started("box.brep", *ENDLESS[:-1], "100")
     assert process.wait(120) == 5
+    assert "memory limit" in errors()
+    assert_untouched(tmp_path)
+
+
+HANG = "control.begin_stage('reading'); time.sleep(1000)"
+
+
+def test_time_limit_of_a_run_that_hangs(started, tmp_path, fgmesh_whose_child):
+    begin = time.monotonic()
+    limit = [*ENDLESS, "--time-limit", "2"]
+    process, _, errors = started("box.brep", *limit, program=fgmesh_whose_child(HANG))
+    assert process.wait(30) == 5
+    assert 2 <= time.monotonic() - begin < 2 + LARGEST_DELAY + 1
+    assert 'time limit was reached in the stage "reading"' in errors()
+    assert_untouched(tmp_path)
+
+
+def test_signal_to_a_run_that_hangs(started, tmp_path, fgmesh_whose_child):
+    process, wait_for, errors = started("box.brep", *ENDLESS, program=fgmesh_whose_child(HANG))
+    wait_for("reading")
+    (child,) = subprocess.run(
+        ["pgrep", "-P", str(process.pid)], capture_output=True, text=True
+    ).stdout.split()
+    process.send_signal(signal.SIGTERM)
+    begin = time.monotonic()
+    assert process.wait(30) == 5
+    while Path("/proc", child).exists():
+        assert time.monotonic() - begin < LARGEST_DELAY, "the meshing process goes on"
+        time.sleep(0.02)
+    assert_untouched(tmp_path)
+
+
+def test_memory_limit_of_a_run_that_takes_all_at_once(started, tmp_path, fgmesh_whose_child):
+    program = fgmesh_whose_child("np.ones(1 << 30)")
+    process, _, errors = started("box.brep", *ENDLESS[:-1], "300", program=program)
+    assert process.wait(30) == 5
     assert "memory limit" in errors()
     assert_untouched(tmp_path)
 

@@ -107,7 +107,13 @@ def _add_run(group, defaults):
     )
     add("--seed", metavar="N", type=whole(0, 2**32 - 1), help=f"random seed (default {defaults.seed})")
     add("--time-limit", metavar="S", type=limit, default=0.0, help="stop after so many seconds")
-    add("--memory-limit", metavar="MB", type=limit, default=0.0, help="stop where more memory is in use")
+    add(
+        "--memory-limit",
+        metavar="MB",
+        type=limit,
+        default=0.0,
+        help="stop where more memory is in use (default: 90 %% of what is available)",
+    )
     add("-o", "--output", metavar="OUT", required=True, help="mesh file: .vtu, .inp, .unv or .msh")
     add("--report", metavar="OUT.json", help="all figures of the run as JSON")
     add("--quiet", action="store_true", help="show neither progress nor results")

@@ -2,7 +2,7 @@
 """Ctrl-C and SIGTERM: the process ends at once, and leaves nothing half-written.
 
 The handler raises no exception: one that surfaces in the middle of an import or of a callback is swallowed
-there. Nor does it wait for the run: its thread may be deep inside C++ and cannot be ended alone.
+there. Nor does it end the meshing process, which ends by itself when this one does.
 """
 import os
 import signal
@@ -36,7 +36,7 @@ def before_leaving(cleanup):
 
 
 def leave(reason):
-    """End the process now, whatever its threads do, with exit status STOPPED."""
+    """End the process now with exit status STOPPED."""
     ignore()
     for cleanup in _cleanups:
         cleanup()

@@ -12,11 +12,10 @@ LARGEST_FILE = 2 * 1024 * 1024
 KEYS = ("fractions", "parameters", "origin", "axis", "references")
 
 
-def read_material(arguments, part, control):
+def read_material(arguments, part):
     """The Material of the parsed `arguments`, with references to parts of the shape file `part`.
 
-    Raises core.InvalidInput, FormulaError included; core.GeometryError and core.Cancelled where there are
-    references.
+    Raises core.InvalidInput, FormulaError included; core.GeometryError where there are references.
     """
     values = material_values(arguments)
     fractions = values["fractions"]
@@ -24,7 +23,7 @@ def read_material(arguments, part, control):
     for formula in fractions:
         _check_text(formula)
     names = values.get("references", [])
-    references = core.references(part, names, control) if names else []
+    references = core.references(part, names) if names else []
     origin = values.get("origin", (0.0, 0.0, 0.0))
     try:
         return core.Material(fractions, values["parameters"], origin, rotation, references)

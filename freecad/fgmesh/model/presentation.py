@@ -1,9 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Where a GUI says how it shows a new mesh object, so that the model need not know the GUI."""
+"""Where a GUI says how it shows a new mesh object and the progress of a run: others need not know it."""
+import contextlib
 
 
 def no_view(mesh):
     """Headless: objects have no view provider."""
 
 
+@contextlib.contextmanager
+def no_progress():
+    """Gives a function to be called now and then with the core.RunControl of a run."""
+    yield lambda control: None
+
+
 show = no_view
+progress = no_progress

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <thread>
@@ -79,6 +80,18 @@ TEST(RunControl, LimitsThatSufficeDoNotDisturb) {
   for (int i = 0; i < 1000; ++i) ASSERT_FALSE(control.should_stop());
   control.set_limits(0.0, 0.0);
   for (int i = 0; i < 1000; ++i) ASSERT_FALSE(control.should_stop());
+}
+
+TEST(RunControl, TellsItsLimits) {
+  RunControl control;
+  EXPECT_TRUE(std::isinf(control.seconds_left()));
+  EXPECT_EQ(control.memory_limit_mb(), 0.0);
+  control.set_limits(0.05, 250.0);
+  EXPECT_EQ(control.memory_limit_mb(), 250.0);
+  EXPECT_GT(control.seconds_left(), 0.0);
+  EXPECT_LE(control.seconds_left(), 0.05);
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  EXPECT_LT(control.seconds_left(), 0.0);
 }
 
 TEST(RunControl, TellsHowFarTheRunIs) {

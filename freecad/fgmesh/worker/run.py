@@ -1,0 +1,273 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The parent's side: starts the child, shows its progress, keeps its limits, tells how it ended."""
+import contextlib
+import json
+import math
+import mmap
+import os
+import selectors
+import signal
+import subprocess
+import sys
+import sysconfig
+import time
+from pathlib import Path
+
+from freecad.fgmesh import core
+from freecad.fgmesh.worker.transfer import unpack
+
+WATCH_SECONDS = 0.05
+LAST_WORDS = 4000
+"""Bytes of the child's standard error that are kept for the message."""
+
+CRASHES = {
+    *(signal.SIGSEGV, signal.SIGABRT, signal.SIGBUS),
+    *(signal.SIGFPE, signal.SIGILL, signal.SIGTRAP, signal.SIGSYS),
+}
+
+
+class Crashed(core.GeometryError):
+    """The process that meshed the shape has crashed."""
+
+
+def generate_mesh(brep, material, options=None, control=None):
+    """As `core.generate_mesh`, in a child process. Raises Crashed, too, a GeometryError."""
+    with start(brep, material, options, control) as run:
+        run.wait()
+        return run.result()
+
+
+def start(brep, material, options=None, control=None):
+    """Start the child process for what `core.generate_mesh` takes. Gives the Run.
+
+    `control` shows the progress while the Run is waited for; its cancel() and limits kill the child.
+    """
+    options = core.MeshingOptions() if options is None else options
+    control = core.RunControl() if control is None else control
+    return Run(core.read_shape(brep), material, options, control)
+
+
+class Run:
+    """A child process at work. To be used by one thread; `with` ends the child where it still runs."""
+
+    def __init__(self, shape, material, options, control):
+        self._control = control
+        self._threshold = options.material_threshold
+        self._memory_limit_mb = control.memory_limit_mb() or 0.9 * _available_memory_mb()
+        self._answer = self._stopped = None
+        self._ended = False
+        self._unread = self._last_words = b""
+        shapes = [shape]
+        request = {
+            "material": _plain(material, shapes),
+            "shapes": [len(text) for text in shapes],
+            "options": options.as_dict(),
+            "memory_limit_mb": self._memory_limit_mb,
+        }
+        self._arrays = os.memfd_create("fgmesh-arrays")
+        requested = os.memfd_create("fgmesh-request")
+        try:
+            with os.fdopen(os.dup(requested), "wb") as file:
+                file.write(json.dumps(request).encode() + b"\n" + b"".join(shapes))
+            os.lseek(requested, 0, os.SEEK_SET)
+            self._process = _spawn(requested, self._arrays)
+        except BaseException:
+            os.close(self._arrays)
+            raise
+        finally:
+            os.close(requested)
+        self._selector = selectors.DefaultSelector()
+        self._selector.register(self._process.stdout, selectors.EVENT_READ, self._read_messages)
+        self._selector.register(self._process.stderr, selectors.EVENT_READ, self._read_chatter)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
+    def wait(self, seconds=math.inf):
+        """True as soon as the run has ended; False after so many seconds.
+
+        Progress, cancelling and limits are looked after in here only: call it at least every half second.
+        """
+        end = time.monotonic() + seconds
+        while not self._ended:
+            left = max(0.0, end - time.monotonic())
+            self._read(min(left, WATCH_SECONDS))
+            if not self._ended:
+                self._stop_where_due()
+            if left == 0.0:
+                break
+        return self._ended
+
+    def result(self):
+        """The core.MeshingResult of a run that has ended; raises what generate_mesh raises."""
+        if not self._ended:
+            raise RuntimeError("the run has not ended: wait() for it")
+        if not self._answer:
+            raise self._early_end()
+        kind, value = self._answer
+        if kind == "error":
+            raise self._error(**value)
+        memory = mmap.mmap(self._arrays, 0, access=mmap.ACCESS_READ)
+        return core.MeshingResult(unpack(value, memory), self._threshold)
+
+    def close(self):
+        """End the child where it still runs, and give back what it took; after result(), whose arrays stay."""
+        if self._selector is not None:
+            self._end()
+            self._selector.close()
+            for pipe in (self._process.stdin, self._process.stdout, self._process.stderr):
+                pipe.close()
+            os.close(self._arrays)
+            self._selector = None
+
+    def _read(self, seconds):
+        for key, _ in self._selector.select(seconds):
+            data = os.read(key.fd, 65536)
+            if data:
+                key.data(data)
+            else:
+                self._selector.unregister(key.fileobj)
+        if self._answer or not self._selector.get_map():
+            self._end()
+
+    def _read_messages(self, data):
+        *lines, self._unread = (self._unread + data).split(b"\n")
+        for line in lines:
+            kind, value = json.loads(line)
+            if kind == "progress":
+                self._show(*value)
+            else:
+                self._answer = kind, value
+
+    def _read_chatter(self, data):
+        self._last_words = (self._last_words + data)[-LAST_WORDS:]
+
+    def _show(self, stage, fraction, tets):
+        if stage != self._control.progress().stage:
+            self._control.begin_stage(stage)
+        self._control.report(fraction, tets)
+
+    def _stop_where_due(self):
+        if self._control.cancelled():
+            self._stopped = "the run was cancelled"
+        elif self._control.seconds_left() < 0:
+            self._stopped = "the time limit was reached"
+        elif _resident_mb(self._process.pid) > self._memory_limit_mb:
+            self._stopped = self._memory_limit_reached()
+        if self._stopped:
+            self._end()
+
+    def _end(self):
+        if not self._selector.get_map():
+            # Its pipes are closed, so it is ending by itself: the exit status tells how.
+            with contextlib.suppress(subprocess.TimeoutExpired):
+                self._process.wait(1.0)
+        # Even after its answer: nothing that it could still do is wanted.
+        self._process.kill()
+        self._process.wait()
+        self._ended = True
+
+    def _error(self, name, text, position, place):
+        if name == "MemoryError":
+            return core.Cancelled(self._memory_limit_reached() + self._place())
+        kind = getattr(core, name, None)
+        if not (isinstance(kind, type) and issubclass(kind, core.Error)):
+            fault = RuntimeError(f"{name}: {text}")
+            fault.add_note(f"In the meshing process:\n{place}")
+            return fault
+        error = kind(text)
+        if position is not None:
+            error.position = position
+        return error
+
+    def _early_end(self):
+        """The error of a child that gave no answer."""
+        if self._stopped:
+            return core.Cancelled(self._stopped + self._place())
+        status = self._process.returncode
+        if status >= 0:
+            return RuntimeError(f"the meshing process ended with exit status {status}{self._words()}")
+        number = signal.Signals(-status)
+        if number in CRASHES:
+            return Crashed(
+                f"the meshing process crashed ({number.name}, {signal.strsignal(number)}){self._place()}"
+                f"{self._words()}. The shape is more than OpenCASCADE or CGAL can bear: check its geometry "
+                "and repair it, or export it again from its source"
+            )
+        memory = ", as the system does where memory runs out" if number == signal.SIGKILL else ""
+        return core.Cancelled(f"{number.name} ended the meshing process{memory}{self._place()}")
+
+    def _memory_limit_reached(self):
+        return f"the memory limit of {self._memory_limit_mb:.0f} MB was reached"
+
+    def _place(self):
+        stage = self._control.progress().stage
+        return f' in the stage "{stage}"' if stage else ""
+
+    def _words(self):
+        """What the child said at last, for a message."""
+        lines = self._last_words.decode(errors="backslashreplace").split("\n")
+        said = [line.strip() for line in lines if line.strip().isprintable() and line.strip()]
+        return f': "{said[-1][:200]}"' if said else ""
+
+
+def child_command():
+    """The command line of the child, without the files' numbers."""
+    return [interpreter(), "-P", "-m", "freecad.fgmesh.worker"]
+
+
+def interpreter():
+    """The path of the Python that runs this: inside FreeCAD sys.executable is FreeCAD."""
+    if Path(sys.executable or "").name.startswith("python"):
+        return sys.executable
+    return str(Path(sysconfig.get_config_var("BINDIR"), f"python{sysconfig.get_python_version()}"))
+
+
+def _spawn(*files):
+    folder = str(Path(core.__file__).resolve().parents[2])
+    path = os.pathsep.join([folder, *filter(None, [os.environ.get("PYTHONPATH")])])
+    pipe = subprocess.PIPE
+    return subprocess.Popen(
+        [*child_command(), *map(str, files)],
+        stdin=pipe,
+        stdout=pipe,
+        stderr=pipe,
+        pass_fds=files,
+        env={**os.environ, "PYTHONPATH": path},
+    )
+
+
+def _plain(material, shapes):
+    """The arguments of core.Material, as JSON can hold them.
+
+    A reference becomes the place of its shape in `shapes`, to which it is added where it is new, and its name.
+    """
+    references = []
+    for reference in material.references:
+        if reference.shape not in shapes:
+            shapes.append(reference.shape)
+        references.append((shapes.index(reference.shape), reference.name))
+    return {
+        "fractions": material.fractions,
+        "parameters": material.parameters,
+        "origin": list(material.origin),
+        "rotation": material.rotation.tolist(),
+        "references": references,
+    }
+
+
+def _available_memory_mb():
+    with open("/proc/meminfo", encoding="ascii") as file:
+        sizes = dict(line.split(":") for line in file)
+    return int(sizes["MemAvailable"].split()[0]) * 1024 / 1e6
+
+
+def _resident_mb(pid):
+    """Memory in use by a process, MB."""
+    with open(f"/proc/{pid}/statm", encoding="ascii") as file:
+        # The file of a process that has ended is empty.
+        fields = file.read().split()
+    return int(fields[1]) * mmap.PAGESIZE / 1e6 if fields else 0.0

@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The corpus runner on made parts: what it writes, and that it notices a step back."""
+import json
+import shutil
+import subprocess
+
+import numpy as np
+import pytest
+
+from freecad.fgmesh import core
+
+
+@pytest.fixture(scope="module")
+def parts(shapes, tmp_path_factory):
+    """A folder with a box of 10 x 20 x 5 mm, a ball and a file that is no part."""
+    import FreeCAD
+    import Part
+
+    folder = tmp_path_factory.mktemp("parts")
+    (folder / "deeper").mkdir()
+    Part.makeBox(10, 20, 5, FreeCAD.Vector(1e-6, -3, 0)).exportStep(str(folder / "box.STEP"))
+    shutil.copy(shapes / "ball.brep", folder / "deeper")
+    shutil.copy(shapes / "text.step", folder)
+    (folder / "notes.txt").write_text("not a part")
+    return folder
+
+
+@pytest.fixture(scope="module")
+def run(source_dir, parts):
+    """Run the corpus; gives the completed process."""
+
+    def run(folder, *arguments):
+        command = [source_dir / "tests" / "corpus" / "run", parts, "-o", folder, "--threshold", "0.3"]
+        return subprocess.run([*command, *arguments], capture_output=True, text=True, timeout=120)
+
+    return run
+
+
+@pytest.fixture(scope="module")
+def kept(run, tmp_path_factory):
+    """The folder of a first result."""
+    folder = tmp_path_factory.mktemp("corpus")
+    done = run(folder)
+    assert done.returncode == 0, done.stderr
+    assert (folder / "corpus.md").read_text() == done.stdout
+    return folder
+
+
+def files_of(folder):
+    return json.loads((folder / "corpus.json").read_text())["files"]
+
+
+def test_every_part_has_its_row(kept):
+    files = files_of(kept)
+    assert list(files) == ["box.STEP", "deeper/ball.brep", "text.step"]
+    box, ball, text = files.values()
+    assert (box["status"], ball["status"], text["status"]) == ("ok", "ok", "refused")
+    assert "tets" not in text and text["message"]
+    assert abs(box["volume_error"]) < 1e-6
+    # Chords of a ball lie inside it; facets within the deviation lose less than a shell of that thickness.
+    assert -100 * 3 * (np.sqrt(12) * 10 / 2000) / 10 < ball["volume_error"] < 0
+    assert abs(box["deviation"]) < 1e-6 and 0 < ball["deviation"] <= 1
+    assert 0 < box["dihedral_min"] < 70.6 < box["dihedral_max"] < 180
+
+
+def test_parts_are_graded_along_their_longest_axis(kept):
+    material = core.Material([files_of(kept)["box.STEP"]["formula"]])
+    ends = material.evaluate([[0, -3, 0], [10, 17, 5]])
+    assert ends == pytest.approx([0.05, 0.95], abs=1e-9)
+
+
+def test_the_table_is_markdown(kept):
+    lines = (kept / "corpus.md").read_text().splitlines()
+    assert all(line.count("|") == lines[0].count("|") for line in lines[:5])
+    assert "2 ok, 1 refused" in lines
+
+
+def test_steps_back_are_told(run, kept, tmp_path):
+    files = files_of(kept)
+    files["text.step"]["status"] = "ok"
+    files["deeper/ball.brep"].update(status="crashed", tets=1)
+    files["lost.brep"] = files["box.STEP"]
+    (tmp_path / "kept.json").write_text(json.dumps({"files": files}))
+    done = run(tmp_path, "--compare", tmp_path / "kept.json")
+    assert done.returncode == 1, done.stderr
+    assert "| text.step | ok | **refused** |" in done.stdout
+    assert "| deeper/ball.brep | crashed | ok |" in done.stdout
+    assert "only in the kept result: lost.brep" in done.stdout
+    assert done.stdout.count("box.STEP") == 1
+
+
+def test_wrong_usage(run, tmp_path):
+    assert run(tmp_path, "--compare", tmp_path / "none.json").returncode == 2
+    assert run(tmp_path, "--no-such-option").returncode == 2
