@@ -43,7 +43,7 @@ class BoundaryGeometry {
   virtual bool contains(const Vec3& p) const = 0;
 };
 
-/// A fine triangulation of the boundary: what the CGAL domain is built from. Points are welded, so
+/// A fine triangulation of the boundary: what the initial mesh is made from. Points are welded, so
 /// that triangles of neighbouring faces share them; degenerate triangles are dropped.
 struct SampledBoundary {
   /// A B-Rep edge that mesh edges must follow: any edge but seams and degenerate ones. Edges between smoothly

@@ -12,16 +12,6 @@ namespace {
 
 double length(const MeshState& state, int a, int b) { return (state.position(a) - state.position(b)).norm(); }
 
-/// Distance of the middle of the crease edge (a, b) to the true edge, mm.
-double crease_deviation(const MeshState& state, int a, int b, int edge) {
-  const Vec3 middle = 0.5 * (state.position(a) + state.position(b));
-  const Vertex &va = state.vertices[a], &vb = state.vertices[b];
-  const double* guess = va.carrier.dimension == 1   ? va.parameter.data()
-                        : vb.carrier.dimension == 1 ? vb.parameter.data()
-                                                    : nullptr;
-  return (state.boundary().project_to_edge(edge, middle, guess).position - middle).norm();
-}
-
 /// The edge of a boundary facet to split so that it comes closer to its face: the one with the largest chord
 /// error, the longest where all are alike.
 std::array<int, 2> edge_to_split(const MeshState& state, const std::array<int, 3>& facet, int label) {
@@ -47,7 +37,7 @@ int split_boundary(MeshState& state, const GeometryRefinementOptions& options, R
   int count = 0;
   for (const auto& [a, b, edge] : complex.creases()) {
     if (length(state, a, b) < 2.0 * options.min_size ||
-        crease_deviation(state, a, b, edge) <= options.deviation)
+        crease_error(state, state.vertices[a], state.vertices[b], edge) <= options.deviation)
       continue;
     const int t = complex.find_edge(a, b);
     if (t >= 0 && split_edge(state, a, b, t) >= 0) ++count;

@@ -8,14 +8,14 @@
 namespace fgmesh {
 
 struct InitialMeshOptions {
-  double size = 0.0;       ///< of edges, facets and cells, mm
-  double deviation = 0.0;  ///< of facets from the samples, mm
-  unsigned seed = 0;       ///< of CGAL's random choices; the same seed gives the same mesh
+  double size = 0.0;       ///< of edges, mm; edges 1.5 times longer are split
+  double deviation = 0.0;  ///< of the middles of boundary edges from the true boundary, mm
 };
 
-/// Initial mesh (paper, section 2.2): a coarse Delaunay mesh of the sampled boundary by CGAL, its creases and
-/// corners protected, its boundary vertices brought onto the true surface. No material is involved. Where
-/// details of the shape are lost a finer mesh is tried. Throws GeometryError where none is found.
+/// Initial mesh (paper, section 2.2): the samples are remeshed into a coarse surface on the true boundary,
+/// which is filled by CGAL's Delaunay triangulation of its vertices; creases, corners and faces are kept
+/// exactly. No material is involved. Where that fails a finer mesh is tried. Throws GeometryError where none
+/// is found.
 void make_initial_mesh(MeshState& state, const SampledBoundary& samples, const InitialMeshOptions& options,
                        RunControl& control);
 

@@ -100,6 +100,14 @@ double chord_error(const MeshState& state, const Vertex& a, const Vertex& b, int
   return (state.boundary().project_to_face(label, middle).position - middle).norm();
 }
 
+double crease_error(const MeshState& state, const Vertex& a, const Vertex& b, int edge) {
+  const Vec3 middle = 0.5 * (a.position + b.position);
+  const double* guess = a.carrier.dimension == 1   ? a.parameter.data()
+                        : b.carrier.dimension == 1 ? b.parameter.data()
+                                                   : nullptr;
+  return (state.boundary().project_to_edge(edge, middle, guess).position - middle).norm();
+}
+
 void limit_growth(MeshState& state, double growth) {
   // Each pass carries a limit along the order of the tetrahedra, the next one back.
   const int slots = state.complex.slots();

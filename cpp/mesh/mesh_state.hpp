@@ -89,6 +89,9 @@ class MeshState {
 /// of the face, by projection.
 double chord_error(const MeshState& state, const Vertex& a, const Vertex& b, int label);
 
+/// Distance of the middle of an edge (a, b) along the crease `edge` to the true edge, mm.
+double crease_error(const MeshState& state, const Vertex& a, const Vertex& b, int edge);
+
 /// The chord error that moves and swaps may leave at the boundary edge (a, b), mm: MeshState::chord_limit,
 /// and less where the mesh is to be fine. Inner vertices would stray into the gap between a coarse facet and
 /// its true face otherwise.

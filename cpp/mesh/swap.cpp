@@ -38,7 +38,7 @@ bool Swapper::remove_ringed_edge(int a, int b) {
   }
   int label = 0;
   if (ring_.closed) {
-    if (state_.label_at(a, b, ring_)) return false;
+    if (complex.crease(a, b) || state_.label_at(a, b, ring_)) return false;
   } else {
     const auto facet_label = [&](int tet_index, int apex) {
       const Tet& tet = complex.tet(tet_index);

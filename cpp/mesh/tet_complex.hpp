@@ -89,6 +89,14 @@ class TetComplex {
   }
   void set_crease(int a, int b, int edge) { creases_[key(a, b)] = edge; }
   void clear_crease(int a, int b) { creases_.erase(key(a, b)); }
+  /// Labels face i of tetrahedron t, from both sides.
+  void set_label(int t, int i, int label) {
+    tets_[t].label[i] = label;
+    const int other = tets_[t].neighbour[i];
+    if (other < 0) return;
+    for (int k = 0; k < 4; ++k)
+      if (tets_[other].neighbour[k] == t) tets_[other].label[k] = label;
+  }
   /// Every crease edge (a < b) with its EdgeN, sorted.
   std::vector<std::array<int, 3>> creases() const;
 

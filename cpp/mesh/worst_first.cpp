@@ -11,6 +11,10 @@ namespace {
 /// A change of the connectivity is worth it where the worst score around it rises by this.
 constexpr double kClearly = 0.01;
 
+/// Many bad tetrahedra of which a round leaves so large a part are forced by the shape: a thin wall.
+constexpr std::size_t kFew = 50;
+constexpr double kHopeless = 0.95;
+
 }  // namespace
 
 std::vector<int> WorstFirst::bad_tets(double least) const {
@@ -153,8 +157,9 @@ int WorstFirst::run(int rounds, RunControl& control) {
       // score.
       if (state_.complex.tet(t).alive() && score_(t) < 1.0) any |= mend(t, swapper);
     }
+    const std::size_t before = bad.size();
     bad = bad_tets();
-    if (!any) break;
+    if (!any || (bad.size() > kFew && bad.size() > kHopeless * before)) break;
   }
   return static_cast<int>(bad.size());
 }

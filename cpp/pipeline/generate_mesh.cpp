@@ -216,7 +216,7 @@ MeshingResult generate_mesh(const std::string& shape, const ScalarField& materia
   MeshState state(model, material, options.material_threshold, diagonal);
   state.chord_limit = kInitialDeviation * options.max_size;
   run_stage("initial", state, result, control, [&] {
-    make_initial_mesh(state, samples, {options.max_size, state.chord_limit, options.seed}, control);
+    make_initial_mesh(state, samples, {options.max_size, state.chord_limit}, control);
   });
   if (options.stop_after != "initial") {
     run_stage("material", state, result, control, [&] {

@@ -26,6 +26,7 @@ struct MeshingOptions {
   std::string stop_after = "geometry";
   /// 0: all processors. Without effect yet: one is used.
   int threads = 0;
+  /// Of random choices; without effect, since nothing is left to chance.
   std::uint32_t seed = 0;
 
   /// Throws InvalidInput that names the option and its allowed range.

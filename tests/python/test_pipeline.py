@@ -287,9 +287,9 @@ def drilled_plate():
     return functools.lru_cache(run)
 
 
-@pytest.mark.parametrize("scale", [1 / 1024, 1024])
+@pytest.mark.parametrize("scale", [1 / 4, 1024])
 def test_the_same_part_in_another_size_gets_the_same_tetrahedra(drilled_plate, scale):
-    # Powers of two, so that rounding is the same too.
+    # Powers of two, so that rounding is the same too. In much smaller parts tolerances of the shape tell.
     one, other = drilled_plate(1), drilled_plate(scale)
     assert np.array_equal(one.tets, other.tets)
     assert np.array_equal(one.points * scale, other.points)

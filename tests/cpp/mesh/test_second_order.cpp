@@ -184,7 +184,7 @@ TEST(SecondOrderVolume, ConvergesWithTheFourthPowerOfTheSizeWhereThatOfStraightM
   for (const test::AnalyticSolid* solid : solids) {
     const auto [coarse_straight, coarse_curved] = volume_errors(*solid, 0.16);
     const auto [fine_straight, fine_curved] = volume_errors(*solid, 0.04);
-    EXPECT_LT(coarse_curved, coarse_straight / 100.0);
+    EXPECT_LT(coarse_curved, coarse_straight / 20.0);
     EXPECT_LT(fine_straight, coarse_straight / 3.0);
     EXPECT_GT(std::log(coarse_curved / fine_curved) / std::log(coarse_straight / fine_straight), 1.9);
   }

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/surface_mesh.hpp"
+
+#include <algorithm>
+
+namespace fgmesh {
+
+SurfaceMesh::SurfaceMesh(const MeshState& state, const SampledBoundary& samples)
+    : vertices(samples.points.size()), state_(state), at_(samples.points.size()) {
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    vertices[v].position = samples.points[v];
+    vertices[v].carrier = {3, 0};
+  }
+  const auto carry = [&](int v, Carrier carrier) {
+    if (vertices[v].carrier.dimension > carrier.dimension) vertices[v].carrier = carrier;
+  };
+  for (const SampledBoundary::Corner& corner : samples.corners) carry(corner.point, {0, corner.vertex});
+  for (const SampledBoundary::Curve& curve : samples.curves) {
+    for (std::size_t i = 0; i < curve.points.size(); ++i) {
+      carry(curve.points[i], {1, curve.edge});
+      if (i > 0) creases_[key(curve.points[i - 1], curve.points[i])] = curve.edge;
+    }
+  }
+  for (std::size_t t = 0; t < samples.triangles.size(); ++t) {
+    add({samples.triangles[t], samples.triangle_face[t], samples.triangle_solids[t]});
+    for (int v : samples.triangles[t]) carry(v, {2, samples.triangle_face[t]});
+  }
+  for (Vertex& vertex : vertices) {
+    if (vertex.carrier.dimension == 0)
+      vertex.position = state.boundary().vertex_position(vertex.carrier.number);
+    vertex = state.carried(vertex, vertex.position, false);
+  }
+}
+
+int SurfaceMesh::add_vertex(const Vertex& vertex) {
+  vertices.push_back(vertex);
+  at_.emplace_back();
+  return static_cast<int>(vertices.size()) - 1;
+}
+
+void SurfaceMesh::add(const SurfaceTriangle& triangle) {
+  const int t = static_cast<int>(triangles.size());
+  triangles.push_back(triangle);
+  for (int v : triangle.vertex) at_[v].push_back(t);
+}
+
+void SurfaceMesh::remove(int t) {
+  for (int v : triangles[t].vertex) {
+    std::vector<int>& list = at_[v];
+    list.erase(std::find(list.begin(), list.end(), t));
+  }
+  triangles[t].face = 0;
+}
+
+void SurfaceMesh::at_edge(int a, int b, std::vector<int>& found) const {
+  found.clear();
+  for (int t : at_[a])
+    if (triangles[t].has(b)) found.push_back(t);
+}
+
+int SurfaceMesh::crease(int a, int b) const {
+  const auto found = creases_.find(key(a, b));
+  return found == creases_.end() ? 0 : found->second;
+}
+
+double SurfaceMesh::volume() const {
+  double sum = 0.0;
+  for (const SurfaceTriangle& triangle : triangles) {
+    if (!triangle.alive()) continue;
+    const Vec3 &a = position(triangle.vertex[0]), &b = position(triangle.vertex[1]),
+               &c = position(triangle.vertex[2]);
+    const int sides = (triangle.solid[0] > 0) - (triangle.solid[1] > 0);  // 0: between two solids
+    sum += sides * a.dot(b.cross(c)) / 6.0;
+  }
+  return sum;
+}
+
+int SurfaceMesh::split(int a, int b) {
+  std::vector<int> around;
+  at_edge(a, b, around);
+  Vertex middle;
+  const int edge = crease(a, b);
+  middle.carrier = edge ? Carrier{1, edge} : Carrier{2, triangles[around.front()].face};
+  middle.size = 0.5 * (vertices[a].size + vertices[b].size);
+  middle = state_.carried(middle, 0.5 * (position(a) + position(b)), false);
+  const int v = add_vertex(middle);
+  for (int t : around) {
+    SurfaceTriangle first = triangles[t], second = triangles[t];
+    std::replace(first.vertex.begin(), first.vertex.end(), b, v);
+    std::replace(second.vertex.begin(), second.vertex.end(), a, v);
+    remove(t);
+    add(first);
+    add(second);
+  }
+  if (edge) {
+    creases_.erase(key(a, b));
+    creases_[key(a, v)] = creases_[key(v, b)] = edge;
+  }
+  return v;
+}
+
+bool SurfaceMesh::faces_out(const std::array<int, 3>& v, int face, double thinnest) const {
+  constexpr double kLeastCosine = 0.5;
+  const Vec3 &a = position(v[0]), &b = position(v[1]), &c = position(v[2]);
+  const Vec3 normal = area_vector(a, b, c);
+  const double longest = std::max({(a - b).squaredNorm(), (b - c).squaredNorm(), (c - a).squaredNorm()});
+  if (!(normal.norm() > thinnest * longest)) return false;
+  if (!faces_outward(vertices[v[0]], vertices[v[1]], vertices[v[2]])) return false;
+  const bool told = std::any_of(v.begin(), v.end(), [&](int w) {
+    return vertices[w].carrier.dimension == 2 && vertices[w].direction.squaredNorm() > 0.0;
+  });
+  if (told) return true;
+  const Vec3 outward = state_.boundary().project_to_face(face, (a + b + c) / 3.0).normal;
+  return outward.isZero() || normal.dot(outward) > kLeastCosine * normal.norm();
+}
+
+bool SurfaceMesh::collapse(int v, int w, double chord, double longest) {
+  const int dimension = vertices[v].carrier.dimension;
+  const int edge = crease(v, w);
+  if (dimension == 0 || (dimension == 1 && edge != vertices[v].carrier.number)) return false;
+  std::vector<int> around;
+  at_edge(v, w, around);
+  if (around.size() < 2) return false;
+
+  // Who is a neighbour of both must be the apex of a triangle at the edge, or the surface would be pinched.
+  std::vector<int> own, others, shared;
+  for (int t : at_[v])
+    for (int p : triangles[t].vertex)
+      if (p != v && p != w) own.push_back(p);
+  for (int t : at_[w])
+    for (int p : triangles[t].vertex)
+      if (p != v && p != w) others.push_back(p);
+  for (std::vector<int>* list : {&own, &others}) {
+    std::sort(list->begin(), list->end());
+    list->erase(std::unique(list->begin(), list->end()), list->end());
+  }
+  std::set_intersection(own.begin(), own.end(), others.begin(), others.end(), std::back_inserter(shared));
+  if (shared.size() != around.size()) return false;
+  // A crease of three edges is the least that bounds anything.
+  int beyond = -1;
+  if (dimension == 1) {
+    for (int p : own)
+      if (crease(v, p) == edge) beyond = p;
+    if (beyond < 0 || std::binary_search(shared.begin(), shared.end(), beyond)) return false;
+    if (crease_error(state_, vertices[beyond], vertices[w], edge) > chord) return false;
+  }
+  for (int p : own)
+    if (crease(v, p) && p != beyond) return false;
+
+  for (int t : at_[v]) {
+    if (triangles[t].has(w)) continue;
+    std::array<int, 3> made = triangles[t].vertex;
+    std::replace(made.begin(), made.end(), v, w);
+    if (!faces_out(made, triangles[t].face, 0.02)) return false;
+    for (int p : triangles[t].vertex) {
+      if (p == v || (position(p) - position(w)).norm() < 1e-3 * longest) continue;
+      if ((position(p) - position(w)).norm() > std::max(longest, 1.05 * (position(p) - position(v)).norm()))
+        return false;
+      if (chord_error(state_, vertices[p], vertices[w], triangles[t].face) > chord) return false;
+    }
+  }
+  for (int t : std::vector<int>(at_[v])) {
+    SurfaceTriangle moved = triangles[t];
+    remove(t);
+    if (moved.has(w)) continue;
+    std::replace(moved.vertex.begin(), moved.vertex.end(), v, w);
+    add(moved);
+  }
+  creases_.erase(key(v, w));
+  if (beyond >= 0) {
+    creases_.erase(key(v, beyond));
+    creases_[key(w, beyond)] = edge;
+  }
+  return true;
+}
+
+bool SurfaceMesh::flip(int a, int b, double chord) {
+  if (crease(a, b)) return false;
+  std::vector<int> around;
+  at_edge(a, b, around);
+  if (around.size() != 2 || triangles[around[0]].face != triangles[around[1]].face) return false;
+  SurfaceTriangle first = triangles[around[0]], second = triangles[around[1]];
+  const int c = first.apex(a, b), d = second.apex(a, b);
+  if (c == d) return false;
+  const auto angle = [&](int apex) {
+    const Vec3 p = position(a) - position(apex), q = position(b) - position(apex);
+    return std::atan2(p.cross(q).norm(), p.dot(q));
+  };
+  if (angle(c) + angle(d) <= M_PI + 1e-6) return false;
+  at_edge(c, d, around);
+  if (!around.empty()) return false;
+  if (chord_error(state_, vertices[c], vertices[d], first.face) >
+      std::max(chord, chord_error(state_, vertices[a], vertices[b], first.face)))
+    return false;
+  std::array<int, 3> made_first = first.vertex, made_second = second.vertex;
+  std::replace(made_first.begin(), made_first.end(), b, d);    // (a, b, c) -> (a, d, c)
+  std::replace(made_second.begin(), made_second.end(), a, c);  // (b, a, d) -> (b, c, d)
+  if (!faces_out(made_first, first.face, 1e-4) || !faces_out(made_second, first.face, 1e-4)) return false;
+  at_edge(a, b, around);
+  for (int t : around) remove(t);
+  first.vertex = made_first;
+  second.vertex = made_second;
+  add(first);
+  add(second);
+  return true;
+}
+
+}  // namespace fgmesh
