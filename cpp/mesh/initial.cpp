@@ -20,7 +20,7 @@ void ignore_failure(const char*, const char*, const char*, int, const char*) {}
 
 /// Takes away the flat tetrahedra that a Delaunay triangulation leaves between vertices of one plane.
 void untangle(MeshState& state, RunControl& control) {
-  const TetScore score(state, {3.0, 177.0, false});
+  const TetScore score(state, {10.0, 170.0, false});
   WorstFirst mender(state, score);
   mender.run(3, control);
   mender.allow_insertion();
