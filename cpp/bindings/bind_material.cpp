@@ -33,7 +33,17 @@ Points as_points(const Array& array) {
   return {reinterpret_cast<const Vec3*>(array.data()), static_cast<std::size_t>(array.shape(0))};
 }
 
+void require_read(const Material& material) {
+  for (const Reference& reference : material.references()) {
+    if (!reference.distance) {
+      throw InvalidInput("the reference " + reference.name +
+                         " has not been read: evaluate core.read_references(material)");
+    }
+  }
+}
+
 Array evaluate(const Material& material, const Array& array) {
+  require_read(material);
   const Points points = as_points(array);
   Array values(array.shape(0));
   double* const out = values.mutable_data();
@@ -43,6 +53,7 @@ Array evaluate(const Material& material, const Array& array) {
 }
 
 Array gradient(const Material& material, const Array& array) {
+  require_read(material);
   const Points points = as_points(array);
   Array gradients({array.shape(0), py::ssize_t{3}});
   Vec3* const out = reinterpret_cast<Vec3*>(gradients.mutable_data());
@@ -53,6 +64,7 @@ Array gradient(const Material& material, const Array& array) {
 }
 
 std::pair<double, double> bounds(const Material& material, const Vec3& low, const Vec3& high) {
+  require_read(material);
   if (!(low.array() <= high.array()).all()) {
     throw InvalidInput("a box needs low <= high in each of its three coordinates");
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bindings/bindings.hpp"
+#include "core/error.hpp"
 #include "core/run_control.hpp"
 #include "material/material.hpp"
 #include "pipeline/generate_mesh.hpp"
@@ -171,6 +172,14 @@ void def_column(py::class_<MeshingResult>& result, const char* name,
   });
 }
 
+/// Rows of four or ten; none where all solids have one material.
+py::array tet_fractions(const py::object& self) {
+  const MeshingResult& found = self.cast<const MeshingResult&>();
+  const py::ssize_t nodes = found.second_order.tets.empty() ? 4 : 10;
+  const py::ssize_t rows = found.tet_fractions.size() / nodes;
+  return view<double>(found.tet_fractions.data(), {rows, nodes}, self);
+}
+
 void bind_result(py::module_& module) {
   py::class_<MeshingResult> result(
       module, "MeshingResult",
@@ -188,12 +197,21 @@ void bind_result(py::module_& module) {
   def_column(result, "variation", &MeshingResult::variation);
   def_column(result, "dihedral_min", &MeshingResult::dihedral_min);
   def_column(result, "above_threshold", &MeshingResult::above_threshold);
+  result.def_property_readonly("coincident_faces", [](const py::object& self) {
+    return table<std::int32_t>(self.cast<const MeshingResult&>().coincident_faces, self);
+  });
+  def_column(result, "solid_volumes", &MeshingResult::solid_volumes);
+  def_column(result, "shape_solid_volumes", &MeshingResult::shape_solid_volumes);
+  result.def_property_readonly("tet_fractions", &tet_fractions);
+  def_column(result, "forced_angles", &MeshingResult::forced_angles);
+  def_column(result, "small_angles", &MeshingResult::small_angles);
   result.def_property_readonly("straightened", [](const py::object& self) {
     return column(self.cast<const MeshingResult&>().second_order.straightened, self);
   });
   result.def_readonly("stages", &MeshingResult::stages)
       .def_readonly("status", &MeshingResult::status)
       .def_readonly("messages", &MeshingResult::messages)
+      .def_readonly("angle_goal", &MeshingResult::angle_goal)
       .def_readonly("element_ratio", &MeshingResult::element_ratio)
       .def_readonly("deviation_max", &MeshingResult::deviation_max)
       .def_readonly("surface_deviation", &MeshingResult::surface_deviation)
@@ -208,10 +226,12 @@ void bind_result(py::module_& module) {
 }
 
 /// `options` is a copy: the Python object may change while the run goes on without the GIL.
-MeshingResult generate(const std::string& shape, const Material& material, MeshingOptions options,
-                       RunControl* control) {
+MeshingResult generate(const std::string& shape, const std::vector<const Material*>& materials,
+                       MeshingOptions options, RunControl* control) {
+  for (const Material* material : materials)
+    if (!material) throw InvalidInput("None is no material: give a Material for each solid");
   RunControl unwatched;
-  return generate_mesh(shape, material, options, control ? *control : unwatched);
+  return generate_mesh(shape, {materials.begin(), materials.end()}, options, control ? *control : unwatched);
 }
 
 }  // namespace
@@ -220,10 +240,11 @@ void bind_pipeline(py::module_& module) {
   bind_options(module);
   bind_report(module);
   bind_result(module);
-  module.def("generate_mesh", &generate, py::arg("shape"), py::arg("material"),
+  module.def("generate_mesh", &generate, py::arg("shape"), py::arg("materials"),
              py::arg("options") = MeshingOptions(), py::arg("control") = py::none(),
              py::call_guard<py::gil_scoped_release>(),
-             "Mesh the solids in the content (bytes) of a BREP or STEP file. Other Python threads run "
+             "Mesh the solids in the content (bytes) of a BREP or STEP file. materials: a list, one for all "
+             "solids or one for each. Other Python threads run "
              "meanwhile. Gives "
              "a MeshingResult; raises InvalidInput, GeometryError or Cancelled.");
 }

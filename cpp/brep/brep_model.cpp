@@ -14,6 +14,7 @@
 #include "brep/sampling.hpp"
 #include "brep/shape_check.hpp"
 #include "brep/shape_reader.hpp"
+#include "brep/told_as_separated.hpp"
 
 namespace fgmesh {
 
@@ -47,7 +48,8 @@ BrepModel BrepModel::from_text(const std::string& text, RunControl& control) {
 }
 
 SampledBoundary BrepModel::sample(const SamplingOptions& options, RunControl& control) {
-  brep::Sampling sampling = brep::sample_boundary(state_->shape, options, control);
+  brep::Sampling sampling = brep::told_as_separated(
+      !origins().solids.empty(), [&] { return brep::sample_boundary(state_->shape, options, control); });
   brep::guarded("preparing projections",
                 [&] { state_->projections = brep::Projections(state_->shape.topology, sampling, control); });
   return std::move(sampling.boundary);
@@ -70,18 +72,20 @@ Vec3 BrepModel::vertex_position(int vertex) const {
   return brep::to_vec3(BRep_Tool::Pnt(state_->shape.topology.vertex(vertex)));
 }
 
-bool BrepModel::contains(const Vec3& p) const {
+bool BrepModel::contains(const Vec3& p, int solid) const {
   // A sloppy file's tolerance must not make points well outside count as inside.
   const double tolerance = std::min(state_->shape.tolerance, 1e-4 * bounds().diagonal());
   const std::lock_guard<std::mutex> lock(state_->classifier_mutex);
   return brep::guarded("locating a point", [&] {
     auto& classifiers = state_->classifiers;
     if (classifiers.empty()) {
-      for (int solid = 1; solid <= solid_count(); ++solid) {
-        classifiers.emplace_back(state_->shape.topology.solid(solid));
+      for (int number = 1; number <= solid_count(); ++number) {
+        classifiers.emplace_back(state_->shape.topology.solid(number));
       }
     }
+    int number = 0;
     return std::any_of(classifiers.begin(), classifiers.end(), [&](BRepClass3d_SolidClassifier& classifier) {
+      if (++number != solid && solid != 0) return false;
       classifier.Perform(brep::to_gp(p), tolerance);
       return classifier.State() == TopAbs_IN || classifier.State() == TopAbs_ON;
     });
@@ -92,6 +96,14 @@ int BrepModel::solid_count() const { return state_->shape.topology.solid_count()
 int BrepModel::face_count() const { return state_->shape.topology.face_count(); }
 int BrepModel::edge_count() const { return state_->shape.topology.edge_count(); }
 int BrepModel::vertex_count() const { return state_->shape.topology.vertex_count(); }
+const Origins& BrepModel::origins() const { return state_->shape.origins; }
+int BrepModel::given_solid_count() const {
+  return origins().solids.empty() ? solid_count() : origins().solid_count;
+}
+int BrepModel::given_solid(int solid) const {
+  return origins().solids.empty() ? solid : origins().solids[solid - 1];
+}
+const std::vector<double>& BrepModel::volumes() const { return state_->shape.volumes; }
 double BrepModel::volume() const { return state_->shape.volume(); }
 Box BrepModel::bounds() const { return state_->shape.bounds; }
 const std::vector<std::string>& BrepModel::notes() const { return state_->shape.notes; }

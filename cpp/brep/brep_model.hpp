@@ -18,8 +18,19 @@ struct SamplingOptions {
   double angle = 0.2;
 };
 
-/// A checked OpenCASCADE shape behind an interface that shows no OCCT: one or more valid, closed solids,
-/// numbered as FreeCAD numbers them (TopExp::MapShapes order of the whole shape).
+/// Which parts of the shape that was given each part of solids made separate comes from; of part N at N - 1.
+struct Origins {
+  int solid_count = 0;                     ///< of the shape given
+  std::vector<int> solids;                 ///< SolidN, ascending
+  std::vector<std::vector<int>> faces;     ///< FaceN, ascending; several where faces coincided
+  std::vector<std::vector<int>> edges;     ///< EdgeN; none where the edge is new
+  std::vector<std::vector<int>> vertices;  ///< VertexN; none where the vertex is new
+};
+
+/// A checked OpenCASCADE shape behind an interface that shows no OCCT: one or more valid, closed solids that
+/// meet in shared faces only, numbered as FreeCAD numbers them (TopExp::MapShapes order of the whole shape).
+/// Solids that touch otherwise, overlap or are nested are made so, and then have numbers of their own: see
+/// origins().
 class BrepModel final : public BoundaryGeometry {
  public:
   /// Reads the text of a BREP or STEP file (told apart by its first bytes) and checks it.
@@ -36,14 +47,21 @@ class BrepModel final : public BoundaryGeometry {
   SurfacePoint project_to_face(int face, const Vec3& p, const double* guess_uv = nullptr) const override;
   CurvePoint project_to_edge(int edge, const Vec3& p, const double* guess_t = nullptr) const override;
   Vec3 vertex_position(int vertex) const override;
-  bool contains(const Vec3& p) const override;
+  bool contains(const Vec3& p, int solid = 0) const override;
+
+  /// Empty where every number is that of the shape given.
+  const Origins& origins() const;
+  /// The solids of the shape given, and which of them SolidN belongs to.
+  int given_solid_count() const;
+  int given_solid(int solid) const;
 
   int solid_count() const;
-  int face_count() const;    ///< highest FaceN
-  int edge_count() const;    ///< highest EdgeN
-  int vertex_count() const;  ///< highest VertexN
-  double volume() const;     ///< of all solids, from their true faces, mm^3
-  Box bounds() const;        ///< tight around the true faces
+  int face_count() const;                      ///< highest FaceN
+  int edge_count() const;                      ///< highest EdgeN
+  int vertex_count() const;                    ///< highest VertexN
+  double volume() const;                       ///< of all solids, from their true faces, mm^3
+  const std::vector<double>& volumes() const;  ///< of each solid
+  Box bounds() const;                          ///< tight around the true faces
 
   /// What was put right or left out while reading, in words for the user.
   const std::vector<std::string>& notes() const;

@@ -85,31 +85,86 @@ void note_faults(const BRepCheck_ListOfStatus& statuses, const std::string& name
   }
 }
 
+bool has_nesting_fault(BRepCheck_Status status) {
+  return status == BRepCheck_SubshapeNotInShape || status == BRepCheck_InvalidImbricationOfShells ||
+         status == BRepCheck_EnclosedRegion;
+}
+
+/// " (of Face1, Face2)": the faces that an edge bounds.
+std::string faces_at(const TopoDS_Shape& edge, const Topology& topology) {
+  const int number = topology.edge_number(edge);
+  std::string names;
+  if (number > 0)
+    for (const int face : topology.edge_use(number).faces)
+      names += (names.empty() ? " (of Face" : ", Face") + std::to_string(face);
+  return names.empty() ? names : names + ")";
+}
+
+/// Whether more than two faces of a shell meet at one of its edges.
+bool is_crowded(const TopoDS_Shape& edge, const Topology& topology) {
+  const int number = topology.edge_number(edge);
+  return number > 0 && topology.edge_use(number).faces.size() > 2;
+}
+
+/// What BRepCheck says of the shells of a solid with cavities, it says with the words for other things.
+std::string cavities_of(const TopoDS_Shape& solid, const Topology& topology) {
+  TopTools_IndexedMapOfShape shells;
+  TopExp::MapShapes(solid, TopAbs_SHELL, shells);
+  std::string names;
+  for (int i = 1; i <= shells.Extent(); ++i) names += (i == 1 ? "" : ", ") + topology.name(shells(i));
+  return names;
+}
+
 /// The faults of one sub-shape: by itself, and as part of each face or solid that holds it.
 void collect_faults(const BRepCheck_Analyzer& analyzer, const TopoDS_Shape& sub_shape,
                     const Topology& topology, std::vector<std::string>& faults) {
   const Handle(BRepCheck_Result)& result = analyzer.Result(sub_shape);
   if (result.IsNull()) return;
-  const std::string name = topology.name(sub_shape);
+  std::string name = topology.name(sub_shape);
+  if (sub_shape.ShapeType() == TopAbs_SOLID) {
+    const bool nested = std::none_of(result->Status().begin(), result->Status().end(), has_nesting_fault);
+    if (!nested) {
+      faults.push_back(
+          name + " has a cavity that is not inside its outer shell, or two that are not apart (" +
+          cavities_of(sub_shape, topology) + "); cut the cavity out with Part -> Boolean -> Cut");
+      return;
+    }
+  }
+  if (sub_shape.ShapeType() == TopAbs_EDGE) name += faces_at(sub_shape, topology);
   note_faults(result->Status(), name, faults);
   for (result->InitContextIterator(); result->MoreShapeInContext(); result->NextShapeInContext()) {
-    note_faults(result->StatusOnShape(), name, faults);
+    const bool is_wire_of_face =
+        sub_shape.ShapeType() == TopAbs_WIRE && result->ContextualShape().ShapeType() == TopAbs_FACE;
+    note_faults(result->StatusOnShape(), is_wire_of_face ? topology.name(result->ContextualShape()) : name,
+                faults);
   }
 }
 
 }  // namespace
 
-void require_valid(const TopoDS_Shape& solid, const Topology& topology) {
-  const BRepCheck_Analyzer analyzer(solid);
-  if (analyzer.IsValid()) return;
+std::vector<std::string> faults_of(const TopoDS_Shape& shape, const Topology& topology) {
   std::vector<std::string> faults;
-  // From the smallest part to the largest: a bad edge makes all that holds it bad.
+  const BRepCheck_Analyzer analyzer(shape);
+  if (analyzer.IsValid()) return faults;
   for (const auto type : {TopAbs_VERTEX, TopAbs_EDGE, TopAbs_WIRE, TopAbs_FACE, TopAbs_SHELL, TopAbs_SOLID}) {
     TopTools_IndexedMapOfShape sub_shapes;
-    TopExp::MapShapes(solid, type, sub_shapes);
+    TopExp::MapShapes(shape, type, sub_shapes);
     for (int i = 1; i <= sub_shapes.Extent(); ++i) collect_faults(analyzer, sub_shapes(i), topology, faults);
   }
-  std::string message = faults.empty() ? topology.name(solid) + " is not valid" : faults.front();
+  TopTools_IndexedMapOfShape edges;
+  TopExp::MapShapes(shape, TopAbs_EDGE, edges);
+  for (int i = 1; i <= edges.Extent() && topology.solid_count() == 1; ++i)
+    if (is_crowded(edges(i), topology))
+      faults.insert(faults.begin(), topology.name(edges(i)) + faces_at(edges(i), topology) +
+                                        " joins more than two faces; remove the needless one");
+  if (faults.empty()) faults.push_back(topology.name(shape) + " is not valid");
+  return faults;
+}
+
+void require_valid(const TopoDS_Shape& solid, const Topology& topology) {
+  const std::vector<std::string> faults = faults_of(solid, topology);
+  if (faults.empty()) return;
+  std::string message = faults.front();
   constexpr std::size_t most_named = 3;
   for (std::size_t i = 1; i < std::min(most_named, faults.size()); ++i) message += "; " + faults[i];
   if (faults.size() > most_named) message += "; and " + std::to_string(faults.size() - most_named) + " more";

@@ -6,6 +6,7 @@
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <IMeshTools_Parameters.hxx>
+#include <Precision.hxx>
 #include <TopoDS_Compound.hxx>
 #include <algorithm>
 #include <cmath>
@@ -46,7 +47,7 @@ void triangulate(const TopoDS_Shape& solids, double deflection, double angle, Ru
   // A triangulation that came with the file, or from a coarser attempt, would be kept otherwise.
   BRepTools::Clean(solids);
   IMeshTools_Parameters parameters;
-  parameters.Deflection = deflection;
+  parameters.Deflection = std::max(deflection, Precision::Confusion());  // it refuses less
   parameters.Angle = angle;
   parameters.InParallel = Standard_False;  // the same points in every run
   Handle(StopIndicator) indicator = new StopIndicator(control);

@@ -16,27 +16,21 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
+#include "brep/fragments.hpp"
 #include "brep/invalid_parts.hpp"
 #include "brep/occt.hpp"
+#include "brep/open_shells.hpp"
+#include "brep/shape_healing.hpp"
+#include "brep/shape_limits.hpp"
+#include "brep/told_as_separated.hpp"
 
 namespace fgmesh::brep {
 namespace {
 
 std::string counted(int count, const std::string& noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
-void require_solid(const TopoDS_Shape& shape, const Topology& topology) {
-  if (topology.solid_count() > 0) return;
-  if (topology.face_count() == 0) {
-    throw GeometryError("the shape holds no solid and no face; choose a solid, or extrude the sketch first");
-  }
-  TopTools_IndexedMapOfShape shells;
-  TopExp::MapShapes(shape, TopAbs_SHELL, shells);
-  throw GeometryError("the shape holds no solid, only " + counted(shells.Extent(), "shell") + " with " +
-                      counted(topology.face_count(), "face") +
-                      "; close gaps and make a solid of it with Part -> Create shape builder");
 }
 
 void require_geometry(const Topology& topology) {
@@ -65,18 +59,6 @@ void build_missing_curves(const Topology& topology, std::vector<std::string>& no
   }
 }
 
-void require_closed(const Topology& topology) {
-  for (int number = 1; number <= topology.edge_count(); ++number) {
-    const EdgeUse& use = topology.edge_use(number);
-    if (use.degenerate || use.count != 1) continue;
-    const std::string face = std::to_string(use.faces.front());
-    throw GeometryError("the shell of Solid" +
-                        std::to_string(topology.face_use(use.faces.front()).solid_behind) + " is open: Edge" +
-                        std::to_string(number) + " bounds only Face" + face +
-                        "; add the missing face, or sew the faces with Part -> Create shape builder");
-  }
-}
-
 Box bounds_of(const Topology& topology) {
   Bnd_Box box;
   for (int number = 1; number <= topology.solid_count(); ++number) {
@@ -86,7 +68,7 @@ Box bounds_of(const Topology& topology) {
   if (box.IsOpen()) throw GeometryError("the solid reaches to infinity; cut it with a finite box first");
   Box bounds{to_vec3(box.CornerMin()), to_vec3(box.CornerMax())};
   if (!bounds.low.allFinite() || !bounds.high.allFinite() ||
-      bounds.high.cwiseAbs().cwiseMax(bounds.low.cwiseAbs()).maxCoeff() >= Precision::Infinite()) {
+      Precision::IsInfinite(bounds.high.cwiseAbs().cwiseMax(bounds.low.cwiseAbs()).maxCoeff())) {
     throw GeometryError("the solid reaches to infinity; cut it with a finite box first");
   }
   return bounds;
@@ -95,40 +77,22 @@ Box bounds_of(const Topology& topology) {
 /// Volume of a solid; one whose faces all point inwards is turned.
 double volume_of(int number, double diagonal, Topology& topology, std::vector<std::string>& notes) {
   const std::string name = "Solid" + std::to_string(number);
-  GProp_GProps interior, boundary;
-  // Gauss-Kronrod: the plain call is wrong by 1 % on long B-spline faces, the adaptive Gauss one by 20 % on a
-  // closed profile extruded (OCCT 7.6).
-  constexpr double relative_error = 1e-4;
-  BRepGProp::VolumePropertiesGK(topology.solid(number), interior, relative_error);
+  GProp_GProps boundary;
   BRepGProp::SurfaceProperties(topology.solid(number), boundary);
-  const double volume = interior.Mass();
+  const double volume = enclosed_volume(topology.solid(number));
   const double area = std::abs(boundary.Mass());
   // Volume over area is the order of the mean wall thickness: none, where rounding alone makes more.
   constexpr double thinnest_wall = 1e-9;
   if (!std::isfinite(volume) || std::abs(volume) <= thinnest_wall * area * diagonal) {
+    require_valid(topology.solid(number), topology);  // which may know the cause
     throw GeometryError(name + " has no volume (its faces lie upon each other or are turned); rebuild it");
   }
   if (volume < 0.0) {
     topology.invert_solid(number);
     notes.push_back(name + " was inside out; its faces were turned");
   }
+  require_thickness(number, std::abs(volume), area, diagonal);
   return std::abs(volume);
-}
-
-/// Two solids that share a face lie on its two sides; otherwise they overlap.
-void require_separation(const Topology& topology) {
-  for (int number = 1; number <= topology.solid_count(); ++number) {
-    for (TopExp_Explorer it(topology.solid(number), TopAbs_FACE); it.More(); it.Next()) {
-      const int face = topology.face_number(it.Current());
-      const FaceUse& use = topology.face_use(face);
-      if (use.solid_before != number) continue;
-      const bool same_side = (it.Current().Orientation() == TopAbs_REVERSED) == use.reversed;
-      if (!same_side) continue;
-      throw GeometryError("Solid" + std::to_string(use.solid_behind) + " and Solid" + std::to_string(number) +
-                          " lie on the same side of Face" + std::to_string(face) +
-                          ": they overlap; separate them with Part -> Boolean -> Boolean Fragments");
-    }
-  }
 }
 
 void note_unused_faces(const Topology& topology, std::vector<std::string>& notes) {
@@ -151,33 +115,93 @@ double largest_tolerance(const Topology& topology) {
   return tolerance;
 }
 
+/// What must be so for anything to be measured, or healed.
+CheckedShape begin_check(const TopoDS_Shape& shape) {
+  CheckedShape checked{Topology(shape), {}, {}, 0.0, {}, {}};
+  const Topology& topology = checked.topology;
+  require_solid(shape, topology);
+  require_finite(topology);
+  require_geometry(topology);
+  build_missing_curves(topology, checked.notes);
+  require_closed(topology);
+  checked.bounds = bounds_of(topology);
+  require_size(checked.bounds);
+  return checked;
+}
+
+void finish_check(CheckedShape& checked, RunControl& control) {
+  Topology& topology = checked.topology;
+  const double diagonal = checked.bounds.diagonal();
+  for (int number = 1; number <= topology.solid_count(); ++number) {
+    checked.volumes.push_back(volume_of(number, diagonal, topology, checked.notes));
+    control.check();
+  }
+  for (int number = 1; number <= topology.solid_count(); ++number) {
+    require_valid(topology.solid(number), topology);
+    control.check();
+  }
+  require_small_gaps(topology, diagonal);
+  note_unused_faces(topology, checked.notes);
+  checked.tolerance = largest_tolerance(topology);
+}
+
+/// The shape healed and checked; nothing where that does not help.
+std::optional<CheckedShape> check_healed(const TopoDS_Shape& shape, RunControl& control) {
+  try {
+    return guarded("healing the shape", [&]() -> std::optional<CheckedShape> {
+      std::optional<HealedShape> healed = heal(shape, control);
+      if (!healed) return std::nullopt;
+      CheckedShape checked = begin_check(healed->shape);
+      checked.notes.insert(checked.notes.begin(), healed->notes.begin(), healed->notes.end());
+      finish_check(checked, control);
+      return checked;
+    });
+  } catch (const GeometryError&) {
+    return std::nullopt;
+  }
+}
+
 }  // namespace
 
 double CheckedShape::volume() const { return std::accumulate(volumes.begin(), volumes.end(), 0.0); }
 
-CheckedShape check_shape(const TopoDS_Shape& shape, RunControl& control) {
+double enclosed_volume(const TopoDS_Shape& solid) {
+  // Gauss-Kronrod: the plain call is wrong by 1 % on long B-spline faces, the adaptive Gauss one by 20 % on a
+  // closed profile extruded (OCCT 7.6).
+  constexpr double relative_error = 1e-4;
+  GProp_GProps interior;
+  BRepGProp::VolumePropertiesGK(solid, interior, relative_error);
+  return interior.Mass();
+}
+
+CheckedShape check_solids(const TopoDS_Shape& shape, RunControl& control) {
   return guarded("checking the shape", [&] {
-    CheckedShape checked{Topology(shape), {}, {}, 0.0, {}};
-    Topology& topology = checked.topology;
-    require_solid(shape, topology);
-    require_geometry(topology);
-    build_missing_curves(topology, checked.notes);
-    require_closed(topology);
+    CheckedShape checked = begin_check(shape);
     control.check();
-    checked.bounds = bounds_of(topology);
-    for (int number = 1; number <= topology.solid_count(); ++number) {
-      checked.volumes.push_back(volume_of(number, checked.bounds.diagonal(), topology, checked.notes));
-      control.check();
+    try {
+      finish_check(checked, control);
+    } catch (const GeometryError&) {
+      std::optional<CheckedShape> healed = check_healed(shape, control);
+      if (!healed) throw;  // what is wrong with the shape as it came
+      return std::move(*healed);
     }
-    require_separation(topology);
-    for (int number = 1; number <= topology.solid_count(); ++number) {
-      require_valid(topology.solid(number), topology);
-      control.check();
-    }
-    note_unused_faces(topology, checked.notes);
-    checked.tolerance = largest_tolerance(topology);
     return checked;
   });
+}
+
+CheckedShape check_shape(const TopoDS_Shape& shape, RunControl& control) {
+  CheckedShape checked = check_solids(shape, control);
+  std::optional<Fragments> fragments =
+      guarded("separating the solids", [&] { return fragment(checked.topology, checked.volumes, control); });
+  if (fragments) {
+    std::vector<std::string> notes = std::move(checked.notes);
+    checked = told_as_separated(true, [&] { return check_solids(fragments->shape, control); });
+    checked.origins = std::move(fragments->origins);
+    checked.notes = std::move(notes);
+    checked.notes.insert(checked.notes.end(), fragments->notes.begin(), fragments->notes.end());
+  }
+  checked.topology.require_separation();
+  return checked;
 }
 
 }  // namespace fgmesh::brep

@@ -13,6 +13,8 @@
 #include <XSControl_WorkSession.hxx>
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <cstdlib>
 #include <locale>
 #include <mutex>
 #include <sstream>
@@ -74,6 +76,25 @@ void refuse_other_data(const std::string& text) {
                      "); copy or export it again");
 }
 
+/// OpenCASCADE computes for ever with what is no number, or no length. It writes 2e100 for infinity.
+void require_finite_numbers(const std::string& text) {
+  constexpr double largest = 1e101;
+  constexpr const char* blank = " \t\r\n";
+  // What comes before the places and the geometry is a header in words.
+  std::size_t begin = std::min(text.find("\nLocations "), text.size());
+  for (std::size_t end = begin; (begin = text.find_first_not_of(blank, end)) != std::string::npos;) {
+    end = std::min(text.find_first_of(blank, begin), text.size());
+    const char* token = text.c_str() + begin;
+    char* stop = nullptr;
+    const double value = std::strtod(token, &stop);
+    if (stop != text.c_str() + end || std::abs(value) <= largest) continue;
+    const auto line = 1 + std::count(text.begin(), text.begin() + begin, '\n');
+    throw InvalidInput("the BREP file is damaged: '" +
+                       text.substr(begin, std::min<std::size_t>(end - begin, 40)) + "' in line " +
+                       std::to_string(line) + " is no coordinate; export it again");
+  }
+}
+
 /// OpenCASCADE's reader loops or crashes on a BREP that ends early, so its end is looked at first: n
 /// sub-shapes after "TShapes n", each ended by a star, then the root's number and location.
 void require_complete_brep(const std::string& text) {
@@ -97,6 +118,7 @@ void require_complete_brep(const std::string& text) {
     refuse_truncated("BREP",
                      std::to_string(ended) + " of " + std::to_string(announced) + " sub-shapes are there");
   }
+  require_finite_numbers(text);
 }
 
 /// True where `word` stands outside strings and comments.
@@ -128,11 +150,19 @@ void require_complete_step(const std::string& text) {
 TopoDS_Shape read_brep(const std::string& text, RunControl& control) {
   std::istringstream stream(text);
   stream.imbue(std::locale::classic());
+  // Where a line is missing, OpenCASCADE would ask a stream that has failed for ever.
+  stream.exceptions(std::ios::failbit | std::ios::badbit);
   TopoDS_Shape shape;
   Handle(StopIndicator) indicator = new StopIndicator(control);
-  BRepTools::Read(shape, stream, BRep_Builder(), indicator->Start());
+  try {
+    BRepTools::Read(shape, stream, BRep_Builder(), indicator->Start());
+  } catch (const std::ios::failure&) {
+    shape.Nullify();
+  }
   control.check();
-  if (shape.IsNull()) throw InvalidInput("the BREP file cannot be read; export it again");
+  if (shape.IsNull()) {
+    throw InvalidInput("the BREP file is damaged: something is missing or out of place; export it again");
+  }
   return shape;
 }
 

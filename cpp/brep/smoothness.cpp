@@ -3,7 +3,6 @@
 
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
-#include <Geom_Curve.hxx>
 #include <Geom_Surface.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
@@ -51,46 +50,6 @@ bool is_crease(const Topology& topology, int edge) {
   const EdgeUse& use = topology.edge_use(edge);
   if (use.count == 0 || use.degenerate) return false;
   return !use.seam || !is_smooth_seam(topology.edge(edge), topology.face(use.faces.front()));
-}
-
-bool is_apex(const Topology& topology, int edge) {
-  const EdgeUse& use = topology.edge_use(edge);
-  if (use.faces.empty()) return false;
-  const TopoDS_Face face = topology.face(use.faces.front());
-  const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
-  double first = 0.0, last = 0.0;
-  const Handle(Geom2d_Curve) pole = BRep_Tool::CurveOnSurface(topology.edge(edge), face, first, last);
-  if (pole.IsNull()) return false;
-  // Normals a little way from the pole, on whichever side of its parameter curve there is surface.
-  double u_low = 0.0, u_high = 0.0, v_low = 0.0, v_high = 0.0;
-  surface->Bounds(u_low, u_high, v_low, v_high);
-  const bool along_u = std::abs(pole->Value(last).X() - pole->Value(first).X()) >
-                       std::abs(pole->Value(last).Y() - pole->Value(first).Y());
-  std::vector<Vec3> normals;
-  constexpr int probes = 8;
-  for (int i = 0; i < probes; ++i) {
-    const gp_Pnt2d at = pole->Value(first + (last - first) * i / probes);
-    const double span = 1e-4 * std::abs(last - first);
-    const double x = along_u ? at.Y() : at.X();
-    const double low = along_u ? v_low : u_low, high = along_u ? v_high : u_high;
-    const double moved = x - span >= low ? x - span : std::min(x + span, high);
-    const Vec3 normal = surface_normal(surface, along_u ? gp_Pnt2d(at.X(), moved) : gp_Pnt2d(moved, at.Y()));
-    if (normal.norm() > 0.0) normals.push_back(normal);
-  }
-  for (const Vec3& normal : normals) {
-    if (angle_between(normal, normals.front()) > smooth_angle) return true;
-  }
-  return false;
-}
-
-bool closes_smoothly(const TopoDS_Edge& edge) {
-  double first = 0.0, last = 0.0;
-  const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, first, last);
-  gp_Pnt position;
-  gp_Vec start, end;
-  curve->D1(first, position, start);
-  curve->D1(last, position, end);
-  return angle_between(to_vec3(start), to_vec3(end)) <= smooth_angle;
 }
 
 }  // namespace fgmesh::brep

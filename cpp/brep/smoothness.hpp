@@ -9,11 +9,4 @@ namespace fgmesh::brep {
 /// those seams too across which the face is not smooth (a closed profile with a kink, extruded).
 bool is_crease(const Topology& topology, int edge);
 
-/// True where a degenerate edge is the tip of a cone and not the pole of a ball: the normals around it
-/// differ.
-bool is_apex(const Topology& topology, int edge);
-
-/// True where a closed edge passes its vertex without a kink.
-bool closes_smoothly(const TopoDS_Edge& edge);
-
 }  // namespace fgmesh::brep

@@ -60,11 +60,24 @@ void Topology::find_face_uses() {
         use = {number, 0, reversed};
       } else if (use.solid_behind == number) {
         refuse_face(face, "bounds Solid" + std::to_string(number) + " twice");
-      } else if (use.solid_before != 0) {
-        refuse_face(face, "bounds more than two solids");
-      } else {
+      } else if (use.solid_before == 0) {
         use.solid_before = number;
       }
+    }
+  }
+}
+
+void Topology::require_separation() const {
+  for (int number = 1; number <= solid_count(); ++number) {
+    for (TopExp_Explorer it(solid(number), TopAbs_FACE); it.More(); it.Next()) {
+      const int face = faces_.FindIndex(it.Current());
+      const FaceUse& use = face_use(face);
+      if (use.solid_behind == number) continue;
+      if (use.solid_before != number) refuse_face(face, "bounds more than two solids");
+      const bool same_side = (it.Current().Orientation() == TopAbs_REVERSED) == use.reversed;
+      if (same_side)
+        refuse_face(face, "has Solid" + std::to_string(use.solid_behind) + " and Solid" +
+                              std::to_string(number) + " on the same side: they overlap");
     }
   }
 }

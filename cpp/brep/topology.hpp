@@ -12,7 +12,8 @@
 
 namespace fgmesh::brep {
 
-/// Which solids a face separates, and how its surface is turned.
+/// Which solids a face separates, and how its surface is turned. A face of overlapping solids may bound more:
+/// see Topology::require_separation().
 struct FaceUse {
   int solid_behind = 0;   ///< SolidN the outward normal points out of; 0: the face bounds no solid
   int solid_before = 0;   ///< SolidN the normal points into; 0: the outside
@@ -32,7 +33,6 @@ struct EdgeUse {
 /// are used by nothing.
 class Topology {
  public:
-  /// Throws GeometryError where a face does not separate one solid from the outside or from one other solid.
   explicit Topology(const TopoDS_Shape& shape);
 
   int solid_count() const { return solids_.Extent(); }
@@ -55,6 +55,10 @@ class Topology {
 
   /// Corrects a solid whose faces all point inwards; numbers stay.
   void invert_solid(int number);
+
+  /// Throws GeometryError where a face does not separate one solid from the outside or from one other solid
+  /// on its other side.
+  void require_separation() const;
 
   /// "Face12", "Edge3", "Vertex1", "Solid2"; shells and wires are named by their first face or edge.
   std::string name(const TopoDS_Shape& sub_shape) const;

@@ -43,11 +43,10 @@ class Welder {
     for (int face = 1; face <= topology_.face_count(); ++face) {
       if (topology_.face_use(face).solid_behind != 0) add_face(face);
     }
-    std::vector<int> uses(topology_.vertex_count(), 0);
     for (int edge = 1; edge <= topology_.edge_count(); ++edge) {
-      if (is_crease(topology_, edge)) add_curve(edge, uses);
+      if (is_crease(topology_, edge)) add_curve(edge);
     }
-    add_corners(uses);
+    add_corners();
     return std::move(sampling_);
   }
 
@@ -182,31 +181,15 @@ class Welder {
     }
   }
 
-  /// `uses` counts for each vertex the curves that end there; a smoothly closed curve has no end.
-  void add_curve(int number, std::vector<int>& uses) {
+  void add_curve(int number) {
     boundary().curves.push_back({number, edge_points_[number - 1], sampling_.edge_parameters[number - 1],
                                  topology_.edge_use(number).faces});
-    TopoDS_Vertex first, last;
-    TopExp::Vertices(topology_.edge(number), first, last);
-    const bool closed = first.IsSame(last);
-    if (closed && closes_smoothly(topology_.edge(number))) {
-      ++uses[topology_.vertex_number(first) - 1];
-    } else {
-      // Counted twice each, so that an end is a corner by itself while one closed curve through it is not.
-      uses[topology_.vertex_number(first) - 1] += 2;
-      uses[topology_.vertex_number(last) - 1] += 2;
-    }
   }
 
-  void add_corners(std::vector<int>& uses) {
-    for (int edge = 1; edge <= topology_.edge_count(); ++edge) {
-      if (topology_.edge_use(edge).degenerate && is_apex(topology_, edge)) {
-        uses[topology_.vertex_number(TopExp::FirstVertex(topology_.edge(edge))) - 1] += 2;
-      }
-    }
+  void add_corners() {
     for (int vertex = 1; vertex <= topology_.vertex_count(); ++vertex) {
       const int point = vertex_points_[vertex - 1];
-      if (point >= 0 && uses[vertex - 1] >= 2) boundary().corners.push_back({vertex, point});
+      if (point >= 0) boundary().corners.push_back({vertex, point});
     }
   }
 

@@ -38,9 +38,9 @@ class BoundaryGeometry {
 
   virtual Vec3 vertex_position(int vertex) const = 0;
 
-  /// True where `p` lies in a solid or on its boundary (within the shape's tolerance). Slow; for
-  /// verdicts on single points, not for loops.
-  virtual bool contains(const Vec3& p) const = 0;
+  /// True where `p` lies in SolidN, or in any solid where `solid` is 0, or on its boundary (within the
+  /// shape's tolerance). Slow; for verdicts on single points, not for loops.
+  virtual bool contains(const Vec3& p, int solid = 0) const = 0;
 };
 
 /// A fine triangulation of the boundary: what the initial mesh is made from. Points are welded, so
@@ -65,7 +65,8 @@ struct SampledBoundary {
   std::vector<int> triangle_face;                   ///< FaceN
   std::vector<std::array<int, 2>> triangle_solids;  ///< SolidN behind and before the triangle; 0: outside
   std::vector<Curve> curves;
-  std::vector<Corner> corners;  ///< ends of the curves, and vertices where the surface is not smooth
+  /// Every vertex of the solids, on seams and at poles too, so that loads and supports find a node there.
+  std::vector<Corner> corners;
 
   Box bounds;
   double volume = 0.0;  ///< of all solids, exact (from the B-Rep), mm^3

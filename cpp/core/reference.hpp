@@ -12,6 +12,7 @@ namespace fgmesh {
 struct Reference {
   std::string name;       ///< as FreeCAD has it: "Face3"
   bool is_solid = false;  ///< the distance has a sign: below zero inside
+  /// Null where the shape has not been read yet, which lets a formula be checked but not be evaluated.
   /// mm, to the nearest point of the face, edge, vertex, or boundary of the solid. Where several points are
   /// the nearest the gradient is that of one of them.
   std::shared_ptr<const ScalarField> distance;

@@ -10,6 +10,7 @@
 namespace fgmesh {
 
 /// The B-Rep entity of lowest dimension that carries a mesh vertex: 0 VertexN, 1 EdgeN, 2 FaceN, 3 SolidN.
+/// N is 0 for edges and vertices that the shape given has not: where solids had to be separated.
 struct Carrier {
   std::int32_t dimension = 3;
   std::int32_t number = 1;
@@ -24,7 +25,7 @@ struct TetMesh {
   std::vector<std::array<std::int32_t, 3>> triangles;  ///< boundary and interfaces, outward
   std::vector<std::int32_t> triangle_faces;            ///< FaceN
   std::vector<std::array<std::int32_t, 2>> edges;      ///< mesh edges that follow B-Rep edges
-  std::vector<std::int32_t> edge_edges;                ///< EdgeN
+  std::vector<std::int32_t> edge_edges;                ///< EdgeN; 0 as for Carrier
 };
 
 }  // namespace fgmesh

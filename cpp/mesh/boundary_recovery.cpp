@@ -138,12 +138,33 @@ class Recovery {
         return;
       }
       if (round + 1 == kMostRounds) refuse(missing.front());
-      for (const auto& [a, b] : missing) surface_.split(a, b);
+      for (const auto& [a, b] : missing)
+        if (surface_.split(a, b) < 0) split_beside(a, b);
       make_surface_delaunay(surface_, control_);
     }
   }
 
  private:
+  /// Splits the longest crease edge of the triangles at (a, b): across a narrow bent strip the edge leaves
+  /// its face unless the strip's borders are fine.
+  void split_beside(int a, int b) {
+    std::vector<int> around;
+    surface_.at_edge(a, b, around);
+    Edge longest = {-1, -1};
+    double length = 0.0;
+    for (int t : around) {
+      const std::array<int, 3>& v = surface_.triangles[t].vertex;
+      for (int i = 0; i < 3; ++i) {
+        const int p = v[i], q = v[(i + 1) % 3];
+        const double own = (surface_.position(p) - surface_.position(q)).norm();
+        if (!surface_.crease(p, q) || own <= length) continue;
+        length = own;
+        longest = {p, q};
+      }
+    }
+    if (longest[0] >= 0) surface_.split(longest[0], longest[1]);
+  }
+
   [[noreturn]] void refuse(const Edge& edge) const {
     std::ostringstream text;
     text << "the boundary cannot be recovered at " << Shown{state_.position(edge[0])}

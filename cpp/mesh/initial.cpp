@@ -76,25 +76,11 @@ void fill_inside(MeshState& state, const InitialMeshOptions& options, RunControl
   }
 }
 
-/// The samples remeshed. Coarse triangles of a thin curved wall may bound another volume than the wall has;
-/// then they are to be nearer to their faces.
-SurfaceMesh coarse_surface(const MeshState& state, const SampledBoundary& samples,
-                           const InitialMeshOptions& options, RunControl& control) {
-  constexpr double kVolumeError = 0.15;
-  constexpr int kAttempts = 5;
-  double deviation = options.deviation;
-  for (int attempt = 1;; ++attempt, deviation *= 0.25) {
-    SurfaceMesh surface(state, samples);
-    remesh_surface(surface, {options.size, deviation, kGrowth}, control);
-    if (attempt == kAttempts || std::abs(surface.volume() / samples.volume - 1.0) < kVolumeError)
-      return surface;
-  }
-}
-
-void mesh_once(MeshState& state, const SampledBoundary& samples, const InitialMeshOptions& options,
-               RunControl& control) {
+void mesh_once(MeshState& state, const SampledBoundary& samples, const WallThickness& walls,
+               const InitialMeshOptions& options, RunControl& control) {
   try {
-    SurfaceMesh surface = coarse_surface(state, samples, options, control);
+    SurfaceMesh surface(state, samples);
+    remesh_surface(surface, walls, {options.size, options.deviation, kGrowth, options.min_size}, control);
     tetrahedralize(state, surface, control);
   } catch (const CGAL::Failure_exception& error) {
     throw GeometryError(std::string("CGAL could not triangulate the solid: ") + error.what());
@@ -112,11 +98,12 @@ void make_initial_mesh(MeshState& state, const SampledBoundary& samples, const I
   CGAL::set_error_handler(ignore_failure);
   // A mesh too coarse for a detail of the shape loses or folds it; a finer one may not.
   constexpr int kAttempts = 3;
+  const WallThickness walls(samples);
   InitialMeshOptions attempt = options;
   for (int left = kAttempts; left > 0; --left) {
     control.check();
     try {
-      mesh_once(state, samples, attempt, control);
+      mesh_once(state, samples, walls, attempt, control);
       return;
     } catch (const GeometryError&) {
       if (left == 1) throw;

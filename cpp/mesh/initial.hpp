@@ -10,6 +10,8 @@ namespace fgmesh {
 struct InitialMeshOptions {
   double size = 0.0;       ///< of edges, mm; edges 1.5 times longer are split
   double deviation = 0.0;  ///< of the middles of boundary edges from the true boundary, mm
+  double min_size =
+      0.0;  ///< of edges, but for short edges of the shape, mm; in thinner walls elements may be flat
 };
 
 /// Initial mesh (paper, section 2.2): the samples are remeshed into a coarse surface on the true boundary,

@@ -26,14 +26,13 @@ std::vector<int> holding_neighbours(const MeshState& state, int v, const std::ve
   return found;
 }
 
-/// True where no tetrahedron of the star comes above the threshold, or farther above it, with the value of v
-/// changed.
-bool keeps_threshold(const MeshState& state, int v, double value, const std::vector<int>& star) {
+/// True where no tetrahedron of the star comes above the threshold, or farther above it, with v moved.
+bool keeps_threshold(const MeshState& state, int v, const Vertex& moved, const std::vector<int>& star) {
   return std::all_of(star.begin(), star.end(), [&](int t) {
     const std::array<int, 4>& index = state.complex.tet(t).vertex;
-    const auto at = [&](int i) { return index[i] == v ? value : state.vertices[index[i]].value; };
-    const double variation = composition_variation(at(0), at(1), at(2), at(3));
-    return variation <= state.threshold() || variation <= state.variation(t);
+    const auto at = [&](int i) -> const Vertex& { return index[i] == v ? moved : state.vertices[index[i]]; };
+    const double changed = variation(at(0), at(1), at(2), at(3));
+    return changed <= state.threshold() || changed <= state.variation(t);
   });
 }
 
@@ -60,7 +59,7 @@ void laplacian_sweep(MeshState& state, const TetScore& shape, double floor, RunC
       after = std::min(after, shape.with(t, v, *moved));
       if (after < least) break;
     }
-    if (after >= least && keeps_threshold(state, v, moved->value, star)) state.vertices[v] = *moved;
+    if (after >= least && keeps_threshold(state, v, *moved, star)) state.vertices[v] = *moved;
   }
 }
 

@@ -26,19 +26,70 @@ constexpr double kPositionTolerance = 1e-7;
 
 }  // namespace
 
-bool MeshState::evaluate(Vertex& vertex) const {
+double Vertex::value_in(int asked) const {
+  for (const MaterialValue& other : others)
+    if (other.material == asked) return other.value;
+  return value;
+}
+
+const Vec3& Vertex::gradient_in(int asked) const {
+  for (const MaterialValue& other : others)
+    if (other.material == asked) return other.gradient;
+  return gradient;
+}
+
+bool Vertex::has(int asked) const {
+  return material == asked || std::any_of(others.begin(), others.end(), [&](const MaterialValue& other) {
+           return other.material == asked;
+         });
+}
+
+double variation_at_interface(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& d) {
+  double largest = 0.0;
+  const auto look = [&](int material) {
+    if (!b.has(material) || !c.has(material) || !d.has(material)) return;
+    largest = std::max(largest, composition_variation(a.value_in(material), b.value_in(material),
+                                                      c.value_in(material), d.value_in(material)));
+  };
+  look(a.material);
+  for (const MaterialValue& other : a.others) look(other.material);
+  return largest;
+}
+
+bool MeshState::evaluate(const Vec3& place, int solid, MaterialValue& result) const {
   double value;
   Vec3 gradient;
-  field_.evaluate(&vertex.position, 1, &value, &gradient);
+  materials_.field(result.material).evaluate(&place, 1, &value, &gradient);
   for (int i = 0; i < 3; ++i)
     if (!std::isfinite(gradient[i])) gradient[i] = std::copysign(1e3 / kPositionTolerance, gradient[i]);
   const double tolerance = 1e-9 + kPositionTolerance * std::min(gradient.norm(), 1e-3 / kPositionTolerance);
   if (!(value >= -tolerance && value <= 1.0 + tolerance)) {
-    if (boundary_.contains(vertex.position)) refuse_value(value, vertex.position);
+    if (boundary_.contains(place, solid)) refuse_value(value, place);
     if (!std::isfinite(value)) return false;
   }
-  vertex.value = std::clamp(value, 0.0, 1.0);
-  vertex.gradient = gradient;
+  result.value = std::clamp(value, 0.0, 1.0);
+  result.gradient = gradient;
+  return true;
+}
+
+bool MeshState::evaluate(Vertex& vertex) const {
+  const int solid = materials_.count() > 1 && vertex.carrier.dimension == 3 ? vertex.carrier.number : 0;
+  MaterialValue here;
+  if (materials_.count() == 1) {
+    if (!evaluate(vertex.position, solid, here)) return false;
+  } else {
+    vertex.others.clear();
+    for (int material : materials_.at(vertex.carrier)) {
+      MaterialValue& made = vertex.others.emplace_back();
+      made.material = material;
+      if (!evaluate(vertex.position, solid, made)) return false;
+    }
+    here = vertex.others.front();
+    vertex.others.erase(vertex.others.begin());
+  }
+  vertex.material = here.material;
+  vertex.value = here.value;
+  vertex.gradient = here.gradient;
   return true;
 }
 
@@ -71,7 +122,7 @@ Vertex MeshState::carried(const Vertex& vertex, const Vec3& target, bool near) c
 std::optional<Vertex> MeshState::moved(const Vertex& vertex, const Vec3& target) const {
   if (vertex.carrier.dimension == 0) return vertex;
   Vertex result = carried(vertex, target);
-  if (!evaluate(result)) return std::nullopt;
+  if (is_at_border(result, target) || !evaluate(result)) return std::nullopt;
   return result;
 }
 
@@ -82,10 +133,18 @@ std::optional<Vertex> MeshState::on_edge(int a, int b, int label, double s) cons
     result.carrier = {1, edge};
   } else if (label) {
     result.carrier = {2, label};
+  } else {
+    result.carrier = {3, solid_around(a, b)};
   }
   result = carried(result, position(a) + s * (position(b) - position(a)), false);
   if (!evaluate(result)) return std::nullopt;
   return result;
+}
+
+int MeshState::solid_around(int a, int b) const {
+  for (int v : {a, b})
+    if (vertices[v].carrier.dimension == 3) return vertices[v].carrier.number;
+  return complex.tet(complex.find_edge(a, b)).solid;
 }
 
 double chord_error(const MeshState& state, const Vertex& a, const Vertex& b, int label) {
@@ -131,8 +190,17 @@ void limit_growth(MeshState& state, double growth) {
 }
 
 double allowed_chord_error(const MeshState& state, const Vertex& a, const Vertex& b) {
-  constexpr double kPartOfSize = 0.15;
-  return std::min(state.chord_limit, kPartOfSize * std::min(a.size, b.size));
+  constexpr double kPartOfSize = 0.15, kPartOfLength = 0.1;
+  return std::min({state.chord_limit, kPartOfSize * std::min(a.size, b.size),
+                   kPartOfLength * (a.position - b.position).norm()});
+}
+
+bool is_at_border(const Vertex& vertex, const Vec3& target) {
+  if (vertex.carrier.dimension != 2 || vertex.direction.isZero()) return false;
+  constexpr double kRounding = 1e-9, kLeastSine = 0.5;
+  const Vec3 way = target - vertex.position;
+  return way.norm() > kRounding * target.norm() &&
+         way.cross(vertex.direction).norm() > kLeastSine * way.norm();
 }
 
 bool stays_positive(const MeshState& state, int v, const Vec3& place, const std::vector<int>& star) {
@@ -143,14 +211,20 @@ bool stays_positive(const MeshState& state, int v, const Vec3& place, const std:
   });
 }
 
-bool faces_outward(const Vertex& a, const Vertex& b, const Vertex& c) {
+bool faces_outward(const MeshState& state, const Vertex& a, const Vertex& b, const Vertex& c, int label) {
   constexpr double kLeastCosine = 0.5;
   const Vec3 normal = area_vector(a.position, b.position, c.position);
   const double least = kLeastCosine * normal.norm();
-  for (const Vertex* v : {&a, &b, &c})
-    if (v->carrier.dimension == 2 && v->direction.squaredNorm() > 0.0 && !(normal.dot(v->direction) > least))
-      return false;
-  return true;
+  bool told = false;
+  for (const Vertex* v : {&a, &b, &c}) {
+    if (v->carrier.dimension != 2 || v->direction.isZero()) continue;
+    if (!(normal.dot(v->direction) > least)) return false;
+    told = true;
+  }
+  if (told) return true;
+  const Vec3 centre = (a.position + b.position + c.position) / 3.0;
+  const Vec3 outward = state.boundary().project_to_face(label, centre).normal;
+  return outward.isZero() || normal.dot(outward) > least;
 }
 
 bool keeps_surface(const MeshState& state, int v, const Vertex& moved, const std::vector<int>& star) {
@@ -165,8 +239,8 @@ bool keeps_surface(const MeshState& state, int v, const Vertex& moved, const std
         const int w = tet.vertex[kFaceVertices[face][k]];
         return w == v ? own_vertex : state.vertices[w];
       };
-      if (!faces_outward(at(0, moved), at(1, moved), at(2, moved)) &&
-          faces_outward(at(0, old), at(1, old), at(2, old)))
+      if (!faces_outward(state, at(0, moved), at(1, moved), at(2, moved), tet.label[face]) &&
+          faces_outward(state, at(0, old), at(1, old), at(2, old), tet.label[face]))
         return false;
       for (int i = 0; i < 4; ++i) {
         if (i == face || i == own) continue;

@@ -3,15 +3,24 @@
 
 #include <array>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/boundary_geometry.hpp"
 #include "core/scalar_field.hpp"
 #include "core/tet_mesh.hpp"
+#include "mesh/solid_materials.hpp"
 #include "mesh/tet_complex.hpp"
 #include "quality/tet_measures.hpp"
 
 namespace fgmesh {
+
+/// f at a place, in one of the materials that meet there.
+struct MaterialValue {
+  int material = 0;
+  double value = 0.0;            ///< clamped to [0, 1]
+  Vec3 gradient = Vec3::Zero();  ///< 1/mm; finite
+};
 
 /// A vertex of the mesh in progress, with all that is worth remembering about its place.
 struct Vertex {
@@ -19,18 +28,39 @@ struct Vertex {
   Carrier carrier;
   std::array<double, 2> parameter{};  ///< (u, v) on its face, or (t, -) on its edge
   Vec3 direction = Vec3::Zero();      ///< unit normal of its face, or tangent of its edge
-  double value = 0.0;                 ///< f, clamped to [0, 1]
+  double value = 0.0;                 ///< f, clamped to [0, 1]; on an interface in the lowest solid
   Vec3 gradient = Vec3::Zero();       ///< of f, 1/mm; finite
+  int material = 0;                   ///< which `value` and `gradient` are of
+  std::vector<MaterialValue> others;  ///< on an interface: f in the other materials that meet there
   double size = 0.0;                  ///< mu, mm: see SizingField
   bool frozen = false;                ///< M-vertex: the geometry-oriented refinement leaves it in place
+
+  /// f in a material that the vertex has.
+  double value_in(int asked) const;
+  const Vec3& gradient_in(int asked) const;
+  bool has(int asked) const;
 };
+
+/// variation() of a tetrahedron at an interface.
+double variation_at_interface(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& d);
+
+/// Variation of f in a tetrahedron: in the material that its vertices have in common, and in the worst of
+/// them where they have several (all four on one interface).
+inline double variation(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& d) {
+  if (a.others.empty() && b.others.empty() && c.others.empty() && d.others.empty())
+    return composition_variation(a.value, b.value, c.value, d.value);
+  return variation_at_interface(a, b, c, d);
+}
 
 /// The mesh between the stages: connectivity, vertices, and the two things every stage asks, the true
 /// boundary and the material. Vertices stay on their carrier whatever is done to them.
 class MeshState {
  public:
+  MeshState(const BoundaryGeometry& boundary, SolidMaterials materials, double threshold, double diagonal)
+      : boundary_(boundary), materials_(std::move(materials)), threshold_(threshold), diagonal_(diagonal) {}
+  /// One material for all solids.
   MeshState(const BoundaryGeometry& boundary, const ScalarField& field, double threshold, double diagonal)
-      : boundary_(boundary), field_(field), threshold_(threshold), diagonal_(diagonal) {}
+      : MeshState(boundary, SolidMaterials(field), threshold, diagonal) {}
 
   TetComplex complex;
   std::vector<Vertex> vertices;
@@ -42,27 +72,32 @@ class MeshState {
   double threshold() const { return threshold_; }
   double diagonal() const { return diagonal_; }
   const BoundaryGeometry& boundary() const { return boundary_; }
-  const ScalarField& field() const { return field_; }
+  const SolidMaterials& materials() const { return materials_; }
+  /// The material of a tetrahedron.
+  int material(int t) const { return materials_.of_solid(complex.tet(t).solid); }
 
   const Vec3& position(int v) const { return vertices[v].position; }
 
   double variation(const std::array<int, 4>& v) const {
-    return composition_variation(vertices[v[0]].value, vertices[v[1]].value, vertices[v[2]].value,
-                                 vertices[v[3]].value);
+    return fgmesh::variation(vertices[v[0]], vertices[v[1]], vertices[v[2]], vertices[v[3]]);
   }
   double variation(int t) const { return variation(complex.tet(t).vertex); }
 
   /// The vertex moved to the point of its carrier nearest to `target`, with f evaluated there. Nothing where
-  /// f is not defined at a place outside the true solid; throws InvalidInput where the material leaves [0,
-  /// 1], or is not a number, at a point of the true solid.
+  /// the border of its face is in the way, or f is not defined at a place outside the true solid; throws
+  /// InvalidInput where the material leaves [0, 1], or is not a number, at a point of the true solid.
   std::optional<Vertex> moved(const Vertex& vertex, const Vec3& target) const;
 
   /// A new vertex on the edge (a, b) at a + s (b - a), brought onto the carrier that the edge lies on.
   /// `label` is the FaceN of the boundary facets at the edge, 0 inside a solid.
   std::optional<Vertex> on_edge(int a, int b, int label, double s = 0.5) const;
 
-  /// f and its gradient at the vertex's position; false as for moved().
+  /// f and its gradient at the vertex's position, in all materials that meet at its carrier; false as for
+  /// moved().
   bool evaluate(Vertex& vertex) const;
+
+  /// The same in one material at a place inside `solid`, or on the boundary where that is 0.
+  bool evaluate(const Vec3& place, int solid, MaterialValue& result) const;
 
   /// The vertex brought onto its carrier at the place nearest to `target`; f is not evaluated.
   Vertex carried(const Vertex& vertex, const Vec3& target, bool near = true) const;
@@ -78,8 +113,11 @@ class MeshState {
   TetMesh to_tet_mesh(std::vector<int>* vertex_order = nullptr) const;
 
  private:
+  /// SolidN around the inner mesh edge (a, b).
+  int solid_around(int a, int b) const;
+
   const BoundaryGeometry& boundary_;
-  const ScalarField& field_;
+  SolidMaterials materials_;
   double threshold_;
   double diagonal_;
 };
@@ -100,12 +138,17 @@ double allowed_chord_error(const MeshState& state, const Vertex& a, const Vertex
 /// Lowers Vertex::size until it grows by at most `growth` mm a mm along the mesh's edges.
 void limit_growth(MeshState& state, double growth);
 
+/// True where a vertex brought onto its face from `target` was stopped by the border of the face: its nearest
+/// point is not the one that `target` lies above. Such a vertex would sit on an edge of the shape without
+/// belonging to it.
+bool is_at_border(const Vertex& vertex, const Vec3& target);
+
 /// True where every tetrahedron of the star stays positively oriented with v at `place`.
 bool stays_positive(const MeshState& state, int v, const Vec3& place, const std::vector<int>& star);
 
-/// True where the facet (a, b, c), counter-clockwise seen from outside, faces the way of the true surface at
-/// its vertices.
-bool faces_outward(const Vertex& a, const Vertex& b, const Vertex& c);
+/// True where the facet (a, b, c) of face `label`, counter-clockwise seen from outside, faces the way of the
+/// true surface at those vertices that know its normal; where none does, at its centre.
+bool faces_outward(const MeshState& state, const Vertex& a, const Vertex& b, const Vertex& c, int label);
 
 /// True where a boundary vertex may go to `moved` without taking an edge of the boundary beyond
 /// allowed_chord_error(), or farther than it is, and without folding a facet over. `star` holds the

@@ -92,7 +92,11 @@ double flatness(const MeshState& state, int v, const Vec3& p, const std::vector<
 }  // namespace
 
 void update_sizes(MeshState& state, const SizingField& sizing) {
-  for (Vertex& vertex : state.vertices) vertex.size = sizing.at(vertex.gradient);
+  for (Vertex& vertex : state.vertices) {
+    vertex.size = sizing.at(vertex.gradient);
+    for (const MaterialValue& other : vertex.others)
+      vertex.size = std::min(vertex.size, sizing.at(other.gradient));
+  }
   limit_growth(state, sizing.growth);
 }
 

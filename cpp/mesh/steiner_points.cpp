@@ -10,18 +10,20 @@ namespace {
 /// min_size. Its two vertices, or {-1, -1}.
 std::array<int, 2> steepest_edge(const MeshState& state, int t, double min_size) {
   const std::array<int, 4>& v = state.complex.tet(t).vertex;
+  const int material = state.material(t);
   std::array<int, 2> best = {-1, -1};
   double largest = 0.0;
   for (const auto& edge : kEdgeVertices) {
     const Vertex &a = state.vertices[v[edge[0]]], &b = state.vertices[v[edge[1]]];
     const Vec3 way = b.position - a.position;
-    const double length = way.norm(), difference = std::abs(b.value - a.value);
+    const double length = way.norm(), difference = std::abs(b.value_in(material) - a.value_in(material));
     if (difference <= largest || length < 2.0 * min_size) continue;
     if (difference > state.threshold()) {
-      const double foretold = std::max(std::abs(a.gradient.dot(way)), std::abs(b.gradient.dot(way)));
+      const double foretold =
+          std::max(std::abs(a.gradient_in(material).dot(way)), std::abs(b.gradient_in(material).dot(way)));
       // Far more than the gradient foretells: a jump, or a steep layer between the two.
       if (difference > 3.0 * foretold + 0.5 * state.threshold() &&
-          jumps_between(state.field(), a.position, b.position, state.threshold()))
+          jumps_between(state.materials().field(material), a.position, b.position, state.threshold()))
         continue;
     }
     largest = difference;

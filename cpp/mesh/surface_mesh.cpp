@@ -4,6 +4,12 @@
 #include <algorithm>
 
 namespace fgmesh {
+namespace {
+
+constexpr double kLargestChordError = 0.1;       // of the length of an edge
+constexpr double kSlender = 0.05, kFlat = 1e-3;  // see SurfaceMesh::slenderness()
+
+}  // namespace
 
 SurfaceMesh::SurfaceMesh(const MeshState& state, const SampledBoundary& samples)
     : vertices(samples.points.size()), state_(state), at_(samples.points.size()) {
@@ -65,10 +71,12 @@ int SurfaceMesh::crease(int a, int b) const {
 
 double SurfaceMesh::volume() const {
   double sum = 0.0;
+  // About a point of the part: far from the origin, rounding would be larger than the volume.
+  const Vec3 origin = vertices.empty() ? Vec3(Vec3::Zero()) : vertices.front().position;
   for (const SurfaceTriangle& triangle : triangles) {
     if (!triangle.alive()) continue;
-    const Vec3 &a = position(triangle.vertex[0]), &b = position(triangle.vertex[1]),
-               &c = position(triangle.vertex[2]);
+    const Vec3 a = position(triangle.vertex[0]) - origin, b = position(triangle.vertex[1]) - origin,
+               c = position(triangle.vertex[2]) - origin;
     const int sides = (triangle.solid[0] > 0) - (triangle.solid[1] > 0);  // 0: between two solids
     sum += sides * a.dot(b.cross(c)) / 6.0;
   }
@@ -78,11 +86,19 @@ double SurfaceMesh::volume() const {
 int SurfaceMesh::split(int a, int b) {
   std::vector<int> around;
   at_edge(a, b, around);
-  Vertex middle;
   const int edge = crease(a, b);
+  if (around.empty()) return -1;
+  if (!edge && std::any_of(around.begin(), around.end(),
+                           [&](int t) { return slenderness(triangles[t].vertex) < kFlat; }))
+    return -1;
+  Vertex middle;
   middle.carrier = edge ? Carrier{1, edge} : Carrier{2, triangles[around.front()].face};
   middle.size = 0.5 * (vertices[a].size + vertices[b].size);
-  middle = state_.carried(middle, 0.5 * (position(a) + position(b)), false);
+  const Vec3 half_way = 0.5 * (position(a) + position(b));
+  middle = state_.carried(middle, half_way, false);
+  constexpr double kFarthest = 0.4;  // of the edge's length
+  const double length = (position(a) - position(b)).norm();
+  if ((middle.position - half_way).norm() > kFarthest * length || is_at_border(middle, half_way)) return -1;
   const int v = add_vertex(middle);
   for (int t : around) {
     SurfaceTriangle first = triangles[t], second = triangles[t];
@@ -99,19 +115,25 @@ int SurfaceMesh::split(int a, int b) {
   return v;
 }
 
-bool SurfaceMesh::faces_out(const std::array<int, 3>& v, int face, double thinnest) const {
-  constexpr double kLeastCosine = 0.5;
+void SurfaceMesh::meet(int t, int v) {
+  const SurfaceTriangle whole = triangles[t];
+  remove(t);
+  for (int i = 0; i < 3; ++i) {
+    SurfaceTriangle part = whole;
+    part.vertex[i] = v;
+    add(part);
+  }
+}
+
+double SurfaceMesh::slenderness(const std::array<int, 3>& v) const {
   const Vec3 &a = position(v[0]), &b = position(v[1]), &c = position(v[2]);
-  const Vec3 normal = area_vector(a, b, c);
   const double longest = std::max({(a - b).squaredNorm(), (b - c).squaredNorm(), (c - a).squaredNorm()});
-  if (!(normal.norm() > thinnest * longest)) return false;
-  if (!faces_outward(vertices[v[0]], vertices[v[1]], vertices[v[2]])) return false;
-  const bool told = std::any_of(v.begin(), v.end(), [&](int w) {
-    return vertices[w].carrier.dimension == 2 && vertices[w].direction.squaredNorm() > 0.0;
-  });
-  if (told) return true;
-  const Vec3 outward = state_.boundary().project_to_face(face, (a + b + c) / 3.0).normal;
-  return outward.isZero() || normal.dot(outward) > kLeastCosine * normal.norm();
+  return area_vector(a, b, c).norm() / longest;
+}
+
+bool SurfaceMesh::faces_out(const std::array<int, 3>& v, int face, double slenderest) const {
+  return slenderness(v) > slenderest &&
+         faces_outward(state_, vertices[v[0]], vertices[v[1]], vertices[v[2]], face);
 }
 
 bool SurfaceMesh::collapse(int v, int w, double chord, double longest) {
@@ -142,7 +164,9 @@ bool SurfaceMesh::collapse(int v, int w, double chord, double longest) {
     for (int p : own)
       if (crease(v, p) == edge) beyond = p;
     if (beyond < 0 || std::binary_search(shared.begin(), shared.end(), beyond)) return false;
-    if (crease_error(state_, vertices[beyond], vertices[w], edge) > chord) return false;
+    if (crease_error(state_, vertices[beyond], vertices[w], edge) >
+        std::min(chord, kLargestChordError * (position(beyond) - position(w)).norm()))
+      return false;
   }
   for (int p : own)
     if (crease(v, p) && p != beyond) return false;
@@ -156,7 +180,9 @@ bool SurfaceMesh::collapse(int v, int w, double chord, double longest) {
       if (p == v || (position(p) - position(w)).norm() < 1e-3 * longest) continue;
       if ((position(p) - position(w)).norm() > std::max(longest, 1.05 * (position(p) - position(v)).norm()))
         return false;
-      if (chord_error(state_, vertices[p], vertices[w], triangles[t].face) > chord) return false;
+      if (chord_error(state_, vertices[p], vertices[w], triangles[t].face) >
+          std::min(chord, kLargestChordError * (position(p) - position(w)).norm()))
+        return false;
     }
   }
   for (int t : std::vector<int>(at_[v])) {
@@ -189,8 +215,10 @@ bool SurfaceMesh::flip(int a, int b, double chord) {
   if (angle(c) + angle(d) <= M_PI + 1e-6) return false;
   at_edge(c, d, around);
   if (!around.empty()) return false;
-  if (chord_error(state_, vertices[c], vertices[d], first.face) >
-      std::max(chord, chord_error(state_, vertices[a], vertices[b], first.face)))
+  if (std::min(slenderness(first.vertex), slenderness(second.vertex)) > kSlender &&
+      chord_error(state_, vertices[c], vertices[d], first.face) >
+          std::max(std::min(chord, kLargestChordError * (position(c) - position(d)).norm()),
+                   chord_error(state_, vertices[a], vertices[b], first.face)))
     return false;
   std::array<int, 3> made_first = first.vertex, made_second = second.vertex;
   std::replace(made_first.begin(), made_first.end(), b, d);    // (a, b, c) -> (a, d, c)

@@ -56,8 +56,12 @@ class SurfaceMesh {
   /// A vertex that no triangle has yet.
   int add_vertex(const Vertex& vertex);
 
-  /// Splits an edge by a new vertex on the true boundary. Returns the vertex.
+  /// Splits an edge by a new vertex on the true boundary. Returns the vertex; -1, and nothing is changed,
+  /// where the edge runs beside its face.
   int split(int a, int b);
+
+  /// Splits a triangle at a vertex of other triangles that lies upon it: the surfaces meet at that point.
+  void meet(int t, int v);
 
   /// Draws `v` onto its neighbour `w`, if triangles, creases and faces stay what they are, no edge comes
   /// farther than `chord` from its face, none longer than `longest`. Returns whether it did.
@@ -74,7 +78,9 @@ class SurfaceMesh {
   }
   void add(const SurfaceTriangle& triangle);
   void remove(int t);
-  bool faces_out(const std::array<int, 3>& v, int face, double thinnest) const;
+  /// Altitude of a triangle over its longest edge, as part of that edge; 0 where it is flat.
+  double slenderness(const std::array<int, 3>& v) const;
+  bool faces_out(const std::array<int, 3>& v, int face, double slenderest) const;
 
   const MeshState& state_;
   std::vector<std::vector<int>> at_;

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/surface_remeshing.hpp"
 
-#include <CGAL/box_intersection_d.h>
-
 #include <algorithm>
 
-#include "domain/cgal_types.hpp"
+#include "mesh/triangle_crossings.hpp"
 
 namespace fgmesh {
 namespace {
@@ -45,12 +43,14 @@ void limit_growth(SurfaceMesh& mesh, double growth, RunControl& control) {
 }
 
 /// The size that the curvature along an edge allows whose middle is `error` off: by the deviation, and by how
-/// far normals turn.
+/// far normals turn. Not below the least size: at a kink of a face, or where an edge and a face differ by
+/// their tolerance, it would be nothing.
 double curvature_size(double length, double error, const SurfaceRemeshingOptions& options) {
   constexpr double kLargestTurn = 1.0;  // of the normal along an edge, radians
   if (!(error > 1e-9 * length)) return options.size;
   const double radius = length * length / (8.0 * error);
-  return std::min({options.size, std::sqrt(8.0 * radius * options.deviation), kLargestTurn * radius});
+  return std::clamp(std::min(std::sqrt(8.0 * radius * options.deviation), kLargestTurn * radius),
+                    options.min_size, options.size);
 }
 
 double error_of(const SurfaceMesh& mesh, int a, int b, int face) {
@@ -80,7 +80,8 @@ bool is_too_long(const SurfaceMesh& mesh, int a, int b, int face, const SurfaceR
 
 int split_long_edges(SurfaceMesh& mesh, const SurfaceRemeshingOptions& options, RunControl& control) {
   int count = 0;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+  const std::size_t old_triangles = mesh.triangles.size();  // new ones wait, so that this ends on any face
+  for (std::size_t t = 0; t < old_triangles; ++t) {
     if (t % kPoll == 0) control.check();
     if (!mesh.triangles[t].alive()) continue;
     const std::array<int, 3> v = mesh.triangles[t].vertex;
@@ -91,6 +92,7 @@ int split_long_edges(SurfaceMesh& mesh, const SurfaceRemeshingOptions& options, 
     const int a = v[longest], b = v[(longest + 1) % 3];
     if (!is_too_long(mesh, a, b, face, options)) continue;
     const int middle = mesh.split(a, b);
+    if (middle < 0) continue;
     double& size = mesh.vertices[middle].size;
     size = options.size;
     for (int end : {a, b}) {
@@ -140,7 +142,8 @@ double worst_shape(const SurfaceMesh& mesh, int v, const Vertex& moved) {
     double longest = 0.0;
     for (int i = 0; i < 3; ++i)
       longest = std::max(longest, (at(i).position - at((i + 1) % 3).position).squaredNorm());
-    if (normal.dot(before) < 0.0 || !faces_outward(at(0), at(1), at(2))) return -1.0;
+    if (normal.dot(before) < 0.0 || !faces_outward(mesh.state(), at(0), at(1), at(2), mesh.triangles[t].face))
+      return -1.0;
     worst = std::min(worst, normal.norm() / longest);
   }
   return worst;
@@ -161,30 +164,138 @@ void smooth(SurfaceMesh& mesh, RunControl& control) {
     }
     if (!(weights > 0.0)) continue;
     Vertex moved = mesh.state().carried(mesh.vertices[v], sum / weights);
+    if (is_at_border(moved, sum / weights)) continue;
     moved.size = mesh.vertices[v].size;
     if (worst_shape(mesh, v, moved) > worst_shape(mesh, v, mesh.vertices[v])) mesh.vertices[v] = moved;
   }
 }
 
-/// Calls visit(t, u) for every two triangles without a common vertex that cut each other.
-template <class Visit>
-void for_each_crossing(const SurfaceMesh& mesh, const Visit& visit) {
-  using Triangle = CgalKernel::Triangle_3;
-  using TriangleBox = CGAL::Box_intersection_d::Box_with_info_d<double, 3, int>;
-  std::vector<TriangleBox> boxes;
-  const auto triangle = [&](int t) {
-    const std::array<int, 3>& v = mesh.triangles[t].vertex;
-    return Triangle(to_cgal(mesh.position(v[0])), to_cgal(mesh.position(v[1])), to_cgal(mesh.position(v[2])));
+/// Splits, collapses and flips edges and moves vertices until edges have the size wanted at their ends.
+void remesh(SurfaceMesh& mesh, const SurfaceRemeshingOptions& options, RunControl& control) {
+  constexpr int kMostRounds = 12;
+  constexpr double kDone = 0.005;
+  for (int round = 0; round < kMostRounds; ++round) {
+    control.check();
+    make_surface_delaunay(mesh, control);
+    const int collapsed = collapse_short_edges(mesh, options, control);
+    const int split = split_long_edges(mesh, options, control);
+    limit_growth(mesh, options.growth, control);
+    make_surface_delaunay(mesh, control);
+    smooth(mesh, control);
+    int alive = 0;
+    for (const SurfaceTriangle& triangle : mesh.triangles) alive += triangle.alive();
+    if (collapsed + split <= kDone * alive) break;
+  }
+  make_surface_delaunay(mesh, control);
+}
+
+/// How thick the solids behind and before the middle of a triangle are, the thinner one; infinite where the
+/// middle is beside the face, which a coarse triangle may be.
+double thickness_at(const SurfaceMesh& mesh, const SurfaceTriangle& triangle, const Vec3& outward,
+                    const WallThickness& walls) {
+  const Vec3 &a = mesh.position(triangle.vertex[0]), &b = mesh.position(triangle.vertex[1]),
+             &c = mesh.position(triangle.vertex[2]);
+  const Vec3 middle = (a + b + c) / 3.0;
+  const Vec3 start = mesh.state().boundary().project_to_face(triangle.face, middle).position;
+  double thinnest = std::numeric_limits<double>::infinity();
+  if ((start - middle).cross(outward).norm() > 0.5 * (start - middle).norm()) return thinnest;
+  for (int side = 0; side < 2; ++side)
+    if (triangle.solid[side])
+      thinnest = std::min(
+          thinnest, walls.at(start, side ? outward : Vec3(-outward), triangle.solid[side], triangle.face));
+  return thinnest > 0.0 ? thinnest : std::numeric_limits<double>::infinity();
+}
+
+/// How far the middle of the edge (a, b) of a triangle will move across the triangle when it is brought onto
+/// its face or crease.
+double error_across(const SurfaceMesh& mesh, int a, int b, int face, const Vec3& outward) {
+  const int edge = mesh.crease(a, b);
+  if (!edge) return chord_error(mesh.state(), mesh.vertices[a], mesh.vertices[b], face);
+  const Vec3 middle = 0.5 * (mesh.position(a) + mesh.position(b));
+  return std::abs(outward.dot(mesh.state().boundary().project_to_edge(edge, middle).position - middle));
+}
+
+/// Lowers sizes where a wall is thin for the triangles on it: where these stray from a bent wall by a good
+/// part of its thickness, tetrahedra could not be brought onto the true faces later; where they are much
+/// longer than the wall is thick, tetrahedra are flat. Returns whether it lowered any.
+bool refine_walls(SurfaceMesh& mesh, const WallThickness& walls, const SurfaceRemeshingOptions& options,
+                  RunControl& control) {
+  constexpr double kLargestError = 0.25, kAim = 0.15, kLongest = 8.0;  // of the thickness
+  constexpr double kLargestStep = 0.4;  // of sizes, so that a wrong thickness does no great harm
+  bool lowered = false;
+  const auto lower = [&](int v, double size) {
+    if (mesh.vertices[v].size <= std::max(size, options.min_size)) return;
+    lowered = true;
+    mesh.vertices[v].size = std::max({size, kLargestStep * mesh.vertices[v].size, options.min_size});
   };
-  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t)
-    if (mesh.triangles[t].alive()) boxes.emplace_back(triangle(t).bbox(), t);
-  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const TriangleBox& a, const TriangleBox& b) {
-    const int t = a.info(), u = b.info();
-    for (int v : mesh.triangles[t].vertex)
-      if (mesh.triangles[u].has(v)) return;
-    const Triangle first = triangle(t), second = triangle(u);
-    if (!first.is_degenerate() && !second.is_degenerate() && CGAL::do_intersect(first, second)) visit(t, u);
-  });
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (t % kPoll == 0) control.check();
+    const SurfaceTriangle& triangle = mesh.triangles[t];
+    if (!triangle.alive()) continue;
+    const std::array<int, 3>& v = triangle.vertex;
+    const Vec3 area = area_vector(mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2]));
+    const double twice_area = area.norm();
+    if (!(twice_area > 0.0)) continue;
+    const Vec3 outward = area / twice_area;
+    const double thickness = thickness_at(mesh, triangle, outward, walls);
+    for (int i = 0; i < 3; ++i) {
+      const int a = v[i], b = v[(i + 1) % 3];
+      double wanted = options.size;
+      if (thickness >= options.min_size) wanted = std::min(wanted, kLongest * thickness);
+      const auto allow = [&](double error, double room) {
+        if (error > kLargestError * room)
+          wanted = std::min(wanted, length(mesh, a, b) * std::sqrt(kAim * room / error));
+      };
+      allow(error_across(mesh, a, b, triangle.face, outward), thickness);
+      if (mesh.crease(a, b)) allow(error_of(mesh, a, b, triangle.face), twice_area / length(mesh, a, b));
+      lower(a, wanted);
+      lower(b, wanted);
+    }
+  }
+  limit_growth(mesh, options.growth, control);
+  return lowered;
+}
+
+/// The edge of a triangle that strays most from its face or crease; {-1, -1} where none does.
+std::array<int, 2> worst_edge(const SurfaceMesh& mesh, int t, const SurfaceRemeshingOptions& options) {
+  const SurfaceTriangle& triangle = mesh.triangles[t];
+  double largest = 1e-9 * options.size;
+  std::array<int, 2> worst = {-1, -1};
+  for (int i = 0; i < 3; ++i) {
+    const int a = triangle.vertex[i], b = triangle.vertex[(i + 1) % 3];
+    const double error = error_of(mesh, a, b, triangle.face);
+    if (error <= largest) continue;
+    largest = error;
+    worst = {std::min(a, b), std::max(a, b)};
+  }
+  return worst;
+}
+
+/// Where vertices of triangle t lie upon triangle u, as where a ball stands on a plane: a vertex of the shape
+/// becomes one of both surfaces, one of a face moves along it.
+void resolve_touch(SurfaceMesh& mesh, int t, int u) {
+  constexpr double kUpon = 1e-6, kStep = 0.3;  // of an edge's length
+  for (int i = 0; i < 3; ++i) {
+    if (!mesh.triangles[t].alive() || !mesh.triangles[u].alive()) return;
+    const int v = mesh.triangles[t].vertex[i], next = mesh.triangles[t].vertex[(i + 1) % 3];
+    const std::array<int, 3> w = mesh.triangles[u].vertex;
+    const Vec3 normal =
+        area_vector(mesh.position(w[0]), mesh.position(w[1]), mesh.position(w[2])).normalized();
+    const Vec3 way = mesh.position(next) - mesh.position(v);
+    if (std::abs(normal.dot(mesh.position(v) - mesh.position(w[0]))) > kUpon * way.norm()) continue;
+    if (mesh.vertices[v].carrier.dimension == 2) {
+      const Vertex moved = mesh.state().carried(mesh.vertices[v], mesh.position(v) + kStep * way);
+      if (worst_shape(mesh, v, moved) > 0.0) mesh.vertices[v] = moved;
+    } else if (mesh.vertices[v].carrier.dimension == 0) {
+      bool inside = true;
+      for (int k = 0; k < 3; ++k)
+        inside =
+            inside &&
+            area_vector(mesh.position(w[k]), mesh.position(w[(k + 1) % 3]), mesh.position(v)).dot(normal) >
+                0.0;
+      if (inside) mesh.meet(u, v);
+    }
+  }
 }
 
 /// Coarse triangles of two curved walls may cut each other: splits them, which brings both nearer to their
@@ -193,28 +304,26 @@ void separate(SurfaceMesh& mesh, const SurfaceRemeshingOptions& options, RunCont
   constexpr int kMostRounds = 12;
   for (int round = 0; round < kMostRounds; ++round) {
     control.check();
-    std::vector<std::array<int, 2>> edges;
-    const auto add_worst_edge = [&](int t) {
-      const SurfaceTriangle& triangle = mesh.triangles[t];
-      double largest = 1e-9 * options.size;
-      std::array<int, 2> worst = {-1, -1};
-      for (int i = 0; i < 3; ++i) {
-        const int a = triangle.vertex[i], b = triangle.vertex[(i + 1) % 3];
-        const double error = error_of(mesh, a, b, triangle.face);
-        if (error <= largest) continue;
-        largest = error;
-        worst = {std::min(a, b), std::max(a, b)};
-      }
-      if (worst[0] >= 0) edges.push_back(worst);
-    };
-    for_each_crossing(mesh, [&](int t, int u) {
-      add_worst_edge(t);
-      add_worst_edge(u);
-    });
+    std::vector<int> alive;
+    for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t)
+      if (mesh.triangles[t].alive()) alive.push_back(t);
+    std::vector<std::array<int, 2>> crossings, edges;
+    for_each_crossing(
+        alive, [&](int t) -> const std::array<int, 3>& { return mesh.triangles[t].vertex; },
+        [&](int v) -> const Vec3& { return mesh.position(v); },
+        [&](int t, int u) {
+          crossings.push_back({t, u});
+          crossings.push_back({u, t});
+        });
+    if (crossings.empty()) return;
+    for (const auto& [t, u] : crossings) {
+      edges.push_back(worst_edge(mesh, t, options));
+      if (mesh.triangles[t].alive()) resolve_touch(mesh, t, u);
+    }
     std::sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-    if (edges.empty()) return;
-    for (const auto& [a, b] : edges) mesh.split(a, b);
+    for (const auto& [a, b] : edges)
+      if (a >= 0) mesh.split(a, b);
     make_surface_delaunay(mesh, control);
   }
 }
@@ -236,23 +345,14 @@ void make_surface_delaunay(SurfaceMesh& mesh, RunControl& control) {
   }
 }
 
-void remesh_surface(SurfaceMesh& mesh, const SurfaceRemeshingOptions& options, RunControl& control) {
+void remesh_surface(SurfaceMesh& mesh, const WallThickness& walls, const SurfaceRemeshingOptions& options,
+                    RunControl& control) {
   set_sizes(mesh, options, control);
-  constexpr int kMostRounds = 12;
-  constexpr double kDone = 0.005;
+  constexpr int kMostRounds = 6;
   for (int round = 0; round < kMostRounds; ++round) {
-    control.check();
-    make_surface_delaunay(mesh, control);
-    const int collapsed = collapse_short_edges(mesh, options, control);
-    const int split = split_long_edges(mesh, options, control);
-    limit_growth(mesh, options.growth, control);
-    make_surface_delaunay(mesh, control);
-    smooth(mesh, control);
-    int alive = 0;
-    for (const SurfaceTriangle& triangle : mesh.triangles) alive += triangle.alive();
-    if (collapsed + split <= kDone * alive) break;
+    remesh(mesh, options, control);
+    if (!refine_walls(mesh, walls, options, control)) break;
   }
-  make_surface_delaunay(mesh, control);
   separate(mesh, options, control);
 }
 

@@ -32,7 +32,7 @@ bool Swapper::remove_ringed_edge(int a, int b) {
   double before = -std::numeric_limits<double>::infinity();
   for (int around : ring_.tet) {
     const Tet& tet = complex.tet(around);
-    if (tet.solid != solid) return false;
+    if (tet.solid != solid) return remove_interface_edge(a, b);
     const double cost = objective_.cost(tet.vertex);
     before = around == ring_.tet.front() ? cost : objective_.join(before, cost);
   }
@@ -50,12 +50,29 @@ bool Swapper::remove_ringed_edge(int a, int b) {
     if (complex.crease(a, b) || label != facet_label(ring_.tet.back(), ring_.link.back())) return false;
   }
 
-  // The best triangulation of the polygon of link vertices, each triangle making two tetrahedra.
   const std::vector<int>& link = ring_.link;
   if (!same_sense(complex.tet(ring_.tet[0]), {a, b, link[0], link[1]})) std::swap(a, b);
-  for (int i = 0; i + 1 < n; ++i) best_[i][i + 1] = 0.0;
-  for (int width = 2; width < n; ++width) {
-    for (int i = 0; i + width < n; ++i) {
+  const double after = best_filling(0, n - 1, a, b);
+  if (!is_gain(before, after) || !polygon_is_free()) return false;
+
+  std::vector<LabelledFacet> facets;
+  if (!ring_.closed) {
+    if (!surface_allows(a, b, link.front(), link.back(), label)) return false;
+    facets = {{{a, link.front(), link.back()}, label}, {{b, link.front(), link.back()}, label}};
+  }
+  filling_.clear();
+  fill_polygon(0, n - 1, a, b, solid);
+  complex.replace(ring_.tet, filling_, facets);
+  return true;
+}
+
+double Swapper::best_filling(int from, int to, int a, int b) {
+  // The best triangulation of the polygon of link vertices, each triangle making two tetrahedra.
+  const std::vector<int>& link = ring_.link;
+  if (to == from + 1) return objective_.nothing();
+  for (int i = from; i < to; ++i) best_[i][i + 1] = 0.0;
+  for (int width = 2; width <= to - from; ++width) {
+    for (int i = from; i + width <= to; ++i) {
       const int j = i + width;
       best_[i][j] = std::numeric_limits<double>::infinity();
       for (int k = i + 1; k < j; ++k) {
@@ -71,17 +88,62 @@ bool Swapper::remove_ringed_edge(int a, int b) {
       }
     }
   }
-  if (n == 2) best_[0][1] = objective_.nothing();
-  if (!is_gain(before, best_[0][n - 1]) || !polygon_is_free()) return false;
+  return best_[from][to];
+}
 
-  std::vector<LabelledFacet> facets;
-  if (!ring_.closed) {
-    if (!surface_allows(a, b, link.front(), link.back(), label)) return false;
-    facets = {{{a, link.front(), link.back()}, label}, {{b, link.front(), link.back()}, label}};
+bool Swapper::remove_interface_edge(int a, int b) {
+  TetComplex& complex = state_.complex;
+  const int n = static_cast<int>(ring_.tet.size());
+  if (!ring_.closed || complex.crease(a, b)) return false;
+  // The two facets of the interface at the edge: facet i stands before tetrahedron i, at link i.
+  std::vector<int> facets, labels;
+  double before = objective_.cost(complex.tet(ring_.tet.front()).vertex);
+  for (int i = 0; i < n; ++i) {
+    const Tet& tet = complex.tet(ring_.tet[i]);
+    if (i > 0) before = objective_.join(before, objective_.cost(tet.vertex));
+    const int label = tet.label[tet.index_of(ring_.link[(i + 1) % n])];
+    if (!label) continue;
+    facets.push_back(i);
+    labels.push_back(label);
   }
+  if (facets.size() != 2 || labels[0] != labels[1]) return false;
+  std::rotate(ring_.tet.begin(), ring_.tet.begin() + facets[0], ring_.tet.end());
+  std::rotate(ring_.link.begin(), ring_.link.begin() + facets[0], ring_.link.end());
+  ring_.link.push_back(ring_.link.front());
+  const int middle = facets[1] - facets[0];
+  const std::vector<int>& link = ring_.link;
+  const int c = link[0], d = link[middle], label = labels[0];
+  const int first_solid = complex.tet(ring_.tet[0]).solid,
+            second_solid = complex.tet(ring_.tet[middle]).solid;
+  if (!same_sense(complex.tet(ring_.tet[0]), {a, b, c, link[1]})) std::swap(a, b);
+
+  const double after = objective_.join(best_filling(0, middle, a, b), best_filling(middle, n, a, b));
+  if (!is_gain(before, after)) return false;
+  if (!half_is_free(0, middle, middle + 1 == n) || !half_is_free(middle, n, middle == 1)) return false;
+  // Normals look out of the solid with the lower number.
+  const bool first_is_lower = first_solid < second_solid;
+  if (!surface_allows(a, b, first_is_lower ? c : d, first_is_lower ? d : c, label)) return false;
   filling_.clear();
-  fill_polygon(0, n - 1, a, b, solid);
-  complex.replace(ring_.tet, filling_, facets);
+  fill_polygon(0, middle, a, b, first_solid);
+  fill_polygon(middle, n, a, b, second_solid);
+  complex.replace(ring_.tet, filling_, {{{a, c, d}, label}, {{b, c, d}, label}});
+  return true;
+}
+
+/// Whether the edges that fill a part of the ring of an interface edge are new. `other_is_flat`: the other
+/// part is one tetrahedron, which goes over to this one's solid, and its edge opposite becomes an interface
+/// edge.
+bool Swapper::half_is_free(int from, int to, bool other_is_flat) const {
+  const std::vector<int>& link = ring_.link;
+  if (to == from + 1) {
+    EdgeRing opposite;
+    state_.complex.ring(link[from], link[to], ring_.tet[from], opposite);
+    return opposite.closed && !state_.label_at(link[from], link[to], opposite);
+  }
+  if (other_is_flat && to == from + 2 && exists(link[from], link[from + 1], link[to])) return false;
+  for (int i = from; i <= to; ++i)
+    for (int j = i + 2; j <= to; ++j)
+      if (!(other_is_flat && i == from && j == to) && exists(link[i], link[j])) return false;
   return true;
 }
 
@@ -129,7 +191,7 @@ bool Swapper::surface_allows(int a, int b, int c, int d, int label) const {
   const double allowed = std::max(allowed_chord_error(state_, vc, vd), chord_error(state_, va, vb, label));
   if (chord_error(state_, vc, vd, label) > kSlack * allowed) return false;
   // Seen along a -> b the ring turns from c to d through the solid, so these look outward.
-  return faces_outward(va, vc, vd) && faces_outward(vb, vd, vc);
+  return faces_outward(state_, va, vc, vd, label) && faces_outward(state_, vb, vd, vc, label);
 }
 
 bool Swapper::remove_face(int t, int face) {

@@ -60,8 +60,8 @@ class WorstScore final : public SwapObjective {
 };
 
 /// Swaps edges and faces of a mesh where that lowers an objective. Creases and labels stay; an edge inside a
-/// face of the boundary is swapped with the surface (2-2) where the new edge stays as close to the true face
-/// as allowed_chord_error() asks.
+/// face of the boundary or of an interface is swapped with the surface (2-2) where the new edge stays as
+/// close to the true face as allowed_chord_error() asks.
 class Swapper {
  public:
   Swapper(MeshState& state, const SwapObjective& objective) : state_(state), objective_(objective) {}
@@ -83,9 +83,12 @@ class Swapper {
 
  private:
   bool remove_ringed_edge(int a, int b);
+  bool remove_interface_edge(int a, int b);
+  double best_filling(int from, int to, int a, int b);
   bool surface_allows(int a, int b, int c, int d, int label) const;
   bool exists(int a, int b, int c = -1) const;
   bool polygon_is_free() const;
+  bool half_is_free(int from, int to, bool other_is_flat) const;
   void fill_polygon(int i, int j, int a, int b, int solid);
 
   static constexpr int kLargestRing = 7;

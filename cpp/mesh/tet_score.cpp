@@ -10,7 +10,7 @@ double TetScore::of(const Vertex& a, const Vertex& b, const Vertex& c, const Ver
            1e-3;
   }
   double score = 1.0;
-  const double variation = composition_variation(a.value, b.value, c.value, d.value);
+  const double variation = fgmesh::variation(a, b, c, d);
   // The floor keeps angles from being given up for a tetrahedron that no move can bring below the threshold
   // (a jump).
   constexpr double kMaterialFloor = 0.7;

@@ -15,13 +15,15 @@ std::vector<Request> gather(const MeshState& state, double aim, int& above) {
   for (int t = 0; t < state.complex.slots(); ++t) {
     const Tet& tet = state.complex.tet(t);
     if (!tet.alive()) continue;
-    const auto by_value = [&](int a, int b) { return state.vertices[a].value < state.vertices[b].value; };
-    const auto [low, high] = std::minmax_element(tet.vertex.begin(), tet.vertex.end(), by_value);
-    const double variation = state.vertices[*high].value - state.vertices[*low].value;
+    const int material = state.material(t);
+    const auto value = [&](int v) { return state.vertices[v].value_in(material); };
+    const auto [low, high] = std::minmax_element(tet.vertex.begin(), tet.vertex.end(),
+                                                 [&](int a, int b) { return value(a) < value(b); });
+    const double variation = value(*high) - value(*low);
     if (variation > state.threshold()) ++above;
     if (variation <= aim) continue;
     for (const int v : {*low, *high}) {
-      const Vec3& gradient = state.vertices[v].gradient;
+      const Vec3& gradient = state.vertices[v].gradient_in(material);
       const double slope = gradient.norm();
       if (!(slope > 0.0)) continue;
       const double longest = 0.2 * (state.position(*high) - state.position(*low)).norm();
@@ -47,8 +49,7 @@ StarState star_state(const MeshState& state, int v, const Vertex& moved, const s
     const Vec3 &a = at(0).position, &b = at(1).position, &c = at(2).position, &d = at(3).position;
     const double squared = squared_edges(a, b, c, d);
     result.flatness = std::min(result.flatness, orientation(a, b, c, d) / (squared * std::sqrt(squared)));
-    result.variation =
-        std::max(result.variation, composition_variation(at(0).value, at(1).value, at(2).value, at(3).value));
+    result.variation = std::max(result.variation, variation(at(0), at(1), at(2), at(3)));
   }
   return result;
 }

@@ -3,18 +3,23 @@
 
 #include <algorithm>
 #include <chrono>
-#include <limits>
+#include <numeric>
 #include <sstream>
 
 #include "brep/brep_model.hpp"
+#include "brep/told_as_separated.hpp"
 #include "core/error.hpp"
+#include "mesh/crossing_faces.hpp"
 #include "mesh/geometry_refinement.hpp"
 #include "mesh/initial.hpp"
 #include "mesh/material_refinement.hpp"
 #include "mesh/second_order.hpp"
-#include "mesh/steiner_points.hpp"
+#include "pipeline/given_numbers.hpp"
+#include "pipeline/node_fractions.hpp"
+#include "pipeline/unmet_criteria.hpp"
 #include "quality/curved_tets.hpp"
 #include "quality/mesh_statistics.hpp"
+#include "quality/small_angles.hpp"
 #include "quality/validity.hpp"
 
 namespace fgmesh {
@@ -39,10 +44,23 @@ MeshingOptions resolved(MeshingOptions options, double diagonal) {
   return options;
 }
 
+/// The fractions at the corners of the tetrahedra, and what follows from them.
+void put_fractions(const NodeFractions& fractions, double threshold, MeshingResult& result) {
+  result.fraction = fractions.at_points();
+  std::vector<std::array<double, 4>> corners;
+  corners.reserve(result.mesh.tets.size());
+  for (std::size_t t = 0; t < result.mesh.tets.size(); ++t)
+    corners.push_back(fractions.at_tet(result.mesh.tets[t], t));
+  result.variation = variations(corners);
+  result.above_threshold.clear();
+  for (std::size_t t = 0; t < result.variation.size(); ++t)
+    if (result.variation[t] > threshold) result.above_threshold.push_back(static_cast<std::int32_t>(t));
+}
+
 /// Runs one stage and puts its report and its mesh into the result.
 template <class Stage>
-void run_stage(const char* name, const MeshState& state, MeshingResult& result, RunControl& control,
-               Stage&& stage) {
+NodeFractions run_stage(const char* name, const MeshState& state, MeshingResult& result, RunControl& control,
+                        Stage&& stage) {
   control.begin_stage(name);
   const auto start = std::chrono::steady_clock::now();
   stage();
@@ -50,53 +68,78 @@ void run_stage(const char* name, const MeshState& state, MeshingResult& result, 
 
   std::vector<int> order;
   result.mesh = state.to_tet_mesh(&order);
-  result.fraction.clear();
-  for (int v : order) result.fraction.push_back(state.vertices[v].value);
   if (const std::string fault = find_fault(result.mesh); !fault.empty())
     throw Error(std::string("the mesh of the stage \"") + name + "\" is not valid: " + fault);
-  result.stages.push_back(make_stage_report(name, result.mesh, result.fraction, state.threshold()));
+  NodeFractions fractions(state, result.mesh, order);
+  put_fractions(fractions, state.threshold(), result);
+  result.stages.push_back(make_stage_report(name, result.mesh, result.variation, state.threshold()));
   result.stages.back().seconds = seconds.count();
+  return fractions;
 }
 
 /// Adds the nodes in the middle of edges, and the volume fraction at them.
-void raise_order(const MeshState& state, MeshingResult& result, RunControl& control) {
+void raise_order(const MeshState& state, NodeFractions& fractions, MeshingResult& result,
+                 RunControl& control) {
   control.begin_stage("second order");
   result.second_order = make_second_order(result.mesh, state.boundary(), control);
-  const SecondOrderMesh& mesh = result.second_order;
-  std::vector<double>& fraction = result.fraction;
-  fraction.resize(mesh.points.size(), std::numeric_limits<double>::quiet_NaN());
-  for (const auto& tet : mesh.tets) {
-    control.check();
-    for (int k = 0; k < 6; ++k) {
-      double& value = fraction[tet[4 + k]];
-      if (!std::isnan(value)) continue;
-      Vertex node;
-      node.position = mesh.points[tet[4 + k]];
-      const auto& [i, j] = kMiddleEdges[k];
-      // Between chord and true boundary, outside the solid, f may be undefined.
-      value = state.evaluate(node) ? node.value : 0.5 * (fraction[tet[i]] + fraction[tet[j]]);
-    }
-  }
+  fractions.add_middle_nodes(state, result.second_order, control);
+  result.fraction = fractions.at_points();
+}
+
+void put_tet_fractions(const NodeFractions& fractions, MeshingResult& result) {
+  const auto put = [&](const auto& tets) {
+    for (std::size_t t = 0; t < tets.size(); ++t)
+      for (double value : fractions.at_tet(tets[t], t)) result.tet_fractions.push_back(value);
+  };
+  result.second_order.tets.empty() ? put(result.mesh.tets) : put(result.second_order.tets);
 }
 
 /// Integral of |grad f|^3 over the mesh, by its value at the centroids.
-double gradient_cubed(const TetMesh& mesh, const ScalarField& field) {
-  std::vector<Vec3> centres;
-  centres.reserve(mesh.tets.size());
-  for (const auto& [a, b, c, d] : mesh.tets)
-    centres.push_back((mesh.points[a] + mesh.points[b] + mesh.points[c] + mesh.points[d]) / 4.0);
-  std::vector<double> values(centres.size());
-  std::vector<Vec3> gradients(centres.size());
-  field.evaluate(centres.data(), centres.size(), values.data(), gradients.data());
+double gradient_cubed(const TetMesh& mesh, const SolidMaterials& materials) {
+  const std::vector<double> volumes = tet_volumes(mesh);
   double sum = 0.0;
-  for (std::size_t t = 0; t < centres.size(); ++t) {
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
     const auto& [a, b, c, d] = mesh.tets[t];
-    const double slope = gradients[t].norm();
-    if (std::isfinite(slope))
-      sum += slope * slope * slope *
-             signed_volume(mesh.points[a], mesh.points[b], mesh.points[c], mesh.points[d]);
+    const Vec3 centre = (mesh.points[a] + mesh.points[b] + mesh.points[c] + mesh.points[d]) / 4.0;
+    double value;
+    Vec3 gradient;
+    materials.field(materials.of_solid(mesh.tet_solids[t])).evaluate(&centre, 1, &value, &gradient);
+    const double slope = gradient.norm();
+    if (std::isfinite(slope)) sum += slope * slope * slope * volumes[t];
   }
   return sum;
+}
+
+/// The default surface deviation follows the size of the whole, which may be much for a small round solid.
+void tell_volume_errors(MeshingResult& result) {
+  constexpr double kMuch = 5e-3;
+  if (result.solid_volumes.size() < 2) return;
+  for (std::size_t i = 0; i < result.solid_volumes.size(); ++i) {
+    const double exact = result.shape_solid_volumes[i], error = result.solid_volumes[i] - exact;
+    if (!(std::abs(error) > kMuch * exact)) continue;
+    std::ostringstream text;
+    text.precision(2);
+    text << "Solid" << i + 1 << " has " << 100.0 * std::abs(error) / exact << " % "
+         << (error < 0.0 ? "less" : "more")
+         << " volume in the mesh than in the shape: lower SurfaceDeviation, now " << result.surface_deviation
+         << " mm";
+    result.messages.push_back(text.str());
+  }
+}
+
+/// The volumes of the mesh and of the shape, in all and by the SolidN of the shape given.
+void put_volumes(const BrepModel& model, MeshingResult& result) {
+  const std::vector<double> volumes =
+      result.second_order.tets.empty() ? tet_volumes(result.mesh) : tet_volumes(result.second_order);
+  result.solid_volumes.assign(model.given_solid_count(), 0.0);
+  result.shape_solid_volumes.assign(model.given_solid_count(), 0.0);
+  for (std::size_t t = 0; t < volumes.size(); ++t)
+    result.solid_volumes[model.given_solid(result.mesh.tet_solids[t]) - 1] += volumes[t];
+  for (int solid = 1; solid <= model.solid_count(); ++solid)
+    result.shape_solid_volumes[model.given_solid(solid) - 1] += model.volumes()[solid - 1];
+  result.volume = std::accumulate(volumes.begin(), volumes.end(), 0.0);
+  result.shape_volume = model.volume();
+  tell_volume_errors(result);
 }
 
 double largest_deviation(const MeshingResult& result, const BoundaryGeometry& boundary) {
@@ -113,72 +156,16 @@ double largest_deviation(const MeshingResult& result, const BoundaryGeometry& bo
   return largest;
 }
 
-/// How many tetrahedra miss the threshold, where the worst is, and what may be done.
-std::string describe_misses(const MeshingResult& result, const ScalarField& field,
-                            const MeshingOptions& options) {
-  const auto worst =
-      std::max_element(result.variation.begin(), result.variation.end()) - result.variation.begin();
-  const auto& tet = result.mesh.tets[worst];
-  Vec3 low = result.mesh.points[tet[0]], high = low, centre = Vec3::Zero();
-  for (const std::int32_t t : result.above_threshold) {
-    for (const std::int32_t v : result.mesh.tets[t]) {
-      low = low.cwiseMin(result.mesh.points[v]);
-      high = high.cwiseMax(result.mesh.points[v]);
-    }
-  }
-  bool jump = false;
-  for (const std::int32_t a : tet) {
-    centre += 0.25 * result.mesh.points[a];
-    for (const std::int32_t b : tet)
-      jump = jump || (a < b && jumps_between(field, result.mesh.points[a], result.mesh.points[b],
-                                             options.material_threshold));
-  }
-  std::ostringstream text;
-  text << result.above_threshold.size() << " of " << result.mesh.tets.size()
-       << " tetrahedra stay above the threshold " << options.material_threshold << ", within " << Shown{low}
-       << " to " << Shown{high} << " mm; the worst varies by " << result.variation[worst] << " at "
-       << Shown{centre} << ". ";
-  if (jump) {
-    text << "The volume fraction jumps there, so no mesh can keep the threshold: split the solid at the "
-            "jump, or "
-            "smooth it (smoothstep).";
-  } else {
-    text << "Refinement stopped at the smallest size, " << options.min_size
-         << " mm, or at the largest mesh allowed: lower MinSize, split the solid or raise the threshold.";
-  }
-  return text.str();
-}
-
-/// How many edges could not follow the true boundary, where, and what may be done.
-std::string describe_straightened(const MeshingResult& result) {
-  const SecondOrderMesh& mesh = result.second_order;
-  Vec3 low = mesh.points[mesh.straightened[0]], high = low;
-  for (const std::int32_t node : mesh.straightened) {
-    low = low.cwiseMin(mesh.points[node]);
-    high = high.cwiseMax(mesh.points[node]);
-  }
-  const auto kept = std::count_if(mesh.carriers.begin() + result.mesh.points.size(), mesh.carriers.end(),
-                                  [](const Carrier& carrier) { return carrier.dimension < 3; });
-  std::ostringstream text;
-  text << mesh.straightened.size() << " of " << kept + mesh.straightened.size()
-       << " middle nodes of boundary edges stay off the true boundary, within " << Shown{low} << " to "
-       << Shown{high} << " mm, since curved tetrahedra would be turned over there: lower SurfaceDeviation or "
-       << "MaxSize";
-  return text.str();
-}
-
-void finish(MeshingResult& result, const BrepModel& model, const ScalarField& field,
+void finish(MeshingResult& result, const BrepModel& model, const SolidMaterials& materials,
             const MeshingOptions& options) {
-  result.variation = variations(result.mesh, result.fraction);
   result.dihedral_min = smallest_dihedrals(result.mesh);
-  for (std::size_t t = 0; t < result.variation.size(); ++t)
-    if (result.variation[t] > options.material_threshold)
-      result.above_threshold.push_back(static_cast<std::int32_t>(t));
   if (!result.above_threshold.empty() && options.stop_after != "initial") {
     result.status = "threshold_not_met";
-    result.messages.push_back(describe_misses(result, field, options));
+    const auto worst = std::max_element(result.variation.begin(), result.variation.end());
+    const int solid = result.mesh.tet_solids[worst - result.variation.begin()];
+    result.messages.push_back(describe_misses(result, materials.field(materials.of_solid(solid)), options));
   }
-  const double integral = gradient_cubed(result.mesh, field);
+  const double integral = gradient_cubed(result.mesh, materials);
   if (integral > 0.0)
     result.element_ratio =
         static_cast<double>(result.mesh.tets.size()) * std::pow(options.material_threshold, 3) / integral;
@@ -191,50 +178,71 @@ void finish(MeshingResult& result, const BrepModel& model, const ScalarField& fi
          << options.surface_deviation << " mm are allowed: lower MinSize, now " << options.min_size << " mm";
     result.messages.push_back(text.str());
   }
+  const auto name = [&](const Carrier& part) { return given_name(part, model.origins()); };
+  SmallAngles angles = find_small_angles(result.mesh, result.dihedral_min, model, options.min_size, name);
+  for (std::string& message : describe(angles, result.mesh, result.dihedral_min))
+    result.messages.push_back(std::move(message));
+  result.angle_goal = kAngleGoal;
+  result.forced_angles = std::move(angles.forced);
+  result.small_angles = std::move(angles.unforced);
   if (!result.second_order.straightened.empty()) result.messages.push_back(describe_straightened(result));
-  result.volume = result.second_order.tets.empty() ? volume(result.mesh) : volume(result.second_order);
-  result.shape_volume = model.volume();
   result.peak_memory_mb = peak_memory_mb();
+}
+
+/// The material of each solid that is meshed.
+SolidMaterials materials_of(const std::vector<const ScalarField*>& given, const BrepModel& model,
+                            const SampledBoundary& samples) {
+  if (given.size() == 1) return SolidMaterials(*given.front());
+  if (static_cast<int>(given.size()) != model.given_solid_count())
+    throw InvalidInput("there are " + std::to_string(given.size()) + " materials for " +
+                       std::to_string(model.given_solid_count()) +
+                       " solids: give one for all, or one for each solid");
+  std::vector<const ScalarField*> fields;
+  for (int solid = 1; solid <= model.solid_count(); ++solid)
+    fields.push_back(given[model.given_solid(solid) - 1]);
+  return SolidMaterials(fields, samples);
 }
 
 }  // namespace
 
-MeshingResult generate_mesh(const std::string& shape, const ScalarField& material,
+MeshingResult generate_mesh(const std::string& shape, const std::vector<const ScalarField*>& given,
                             const MeshingOptions& asked, RunControl& control) {
   asked.validate();
   control.begin_stage("reading");
   BrepModel model = BrepModel::from_text(shape, control);
-  if (model.solid_count() > 1)
-    throw GeometryError("the shape has " + std::to_string(model.solid_count()) +
-                        " solids; several at once are not available yet: mesh them one by one");
   const SampledBoundary samples = model.sample({}, control);
+  brep::told_as_separated(!model.origins().solids.empty(),
+                          [&] { require_no_crossing_faces(samples, model, control); });
   const double diagonal = samples.bounds.diagonal();
   const MeshingOptions options = resolved(asked, diagonal);
 
   MeshingResult result;
   result.messages = model.notes();
-  MeshState state(model, material, options.material_threshold, diagonal);
+  MeshState state(model, materials_of(given, model, samples), options.material_threshold, diagonal);
   state.chord_limit = kInitialDeviation * options.max_size;
-  run_stage("initial", state, result, control, [&] {
-    make_initial_mesh(state, samples, {options.max_size, state.chord_limit}, control);
+  NodeFractions fractions = run_stage("initial", state, result, control, [&] {
+    make_initial_mesh(state, samples, {options.max_size, state.chord_limit, options.min_size}, control);
   });
   if (options.stop_after != "initial") {
-    run_stage("material", state, result, control, [&] {
+    fractions = run_stage("material", state, result, control, [&] {
       MaterialRefinementOptions refinement;
       refinement.sizing = {0.8 * options.material_threshold, options.min_size, options.max_size, 0.5};
       refine_material(state, refinement, control);
     });
   }
   if (options.stop_after == "geometry") {
-    run_stage("geometry", state, result, control, [&] {
+    fractions = run_stage("geometry", state, result, control, [&] {
       GeometryRefinementOptions refinement;
       refinement.deviation = options.surface_deviation;
       refinement.min_size = options.min_size;
       refine_geometry(state, refinement, control);
     });
   }
-  if (options.order == 2) raise_order(state, result, control);
-  finish(result, model, material, options);
+  if (options.order == 2) raise_order(state, fractions, result, control);
+  if (state.materials().count() > 1) put_tet_fractions(fractions, result);
+  finish(result, model, state.materials(), options);
+  put_volumes(model, result);
+  use_given_numbers(result, model.origins());
   return result;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -15,9 +16,16 @@
 namespace fgmesh {
 
 struct MeshingResult {
-  TetMesh mesh;                      ///< four-node tetrahedra
-  SecondOrderMesh second_order;      ///< the same with ten nodes each; empty unless options.order is 2
-  std::vector<double> fraction;      ///< of the first constituent at each point, clamped to [0, 1]
+  TetMesh mesh;                  ///< four-node tetrahedra
+  SecondOrderMesh second_order;  ///< the same with ten nodes each; empty unless options.order is 2
+  /// Where faces of the shape coincide, their triangles carry the lowest FaceN. Each row here is such a
+  /// triangle and a further FaceN that it lies on.
+  std::vector<std::array<std::int32_t, 2>> coincident_faces;
+  /// Of the first constituent at each point, clamped to [0, 1]; on an interface that of the lowest solid.
+  std::vector<double> fraction;
+  /// The same at the nodes of each tetrahedron, in its own material, row by row. Empty where all solids have
+  /// one material.
+  std::vector<double> tet_fractions;
   std::vector<double> variation;     ///< of each tetrahedron
   std::vector<double> dihedral_min;  ///< smallest dihedral angle of each tetrahedron, degrees
   std::vector<StageReport> stages;   ///< those that ran, in order
@@ -29,6 +37,10 @@ struct MeshingResult {
   std::vector<std::string> messages;
   /// Indices of the tetrahedra above the threshold.
   std::vector<std::int32_t> above_threshold;
+  /// Indices of the tetrahedra with a dihedral angle below angle_goal: those where the shape forces it, and
+  /// the others.
+  std::vector<std::int32_t> forced_angles, small_angles;
+  double angle_goal = 0.0;  ///< degrees
 
   /// eta = N delta_0^3 / integral of |grad f|^3; 0 where the gradient vanishes everywhere.
   double element_ratio = 0.0;
@@ -36,8 +48,10 @@ struct MeshingResult {
   double deviation_max = 0.0;
   /// The surface deviation that was asked for, or its default for this part, mm.
   double surface_deviation = 0.0;
-  double volume = 0.0;        ///< of the mesh, curved where order is 2, mm^3
-  double shape_volume = 0.0;  ///< of the B-Rep, mm^3
+  double volume = 0.0;                      ///< of the mesh, curved where order is 2, mm^3
+  double shape_volume = 0.0;                ///< of the B-Rep, mm^3; what several solids hold counts once
+  std::vector<double> solid_volumes;        ///< of the mesh in each SolidN, mm^3
+  std::vector<double> shape_solid_volumes;  ///< of each SolidN without what belongs to another, mm^3
   int threads = 1;
   double peak_memory_mb = 0.0;
 };
@@ -45,9 +59,19 @@ struct MeshingResult {
 /// Meshes the solids of a B-Rep graded by `material`: initial mesh, material-oriented refinement,
 /// geometry-oriented refinement (paper, figure 2); then nodes in the middle of edges where order is 2.
 ///
+/// `materials` holds one for all solids, or that of SolidN at n - 1. Solids that touch, overlap or are nested
+/// share their interfaces in the mesh; a region in several solids belongs to the lowest, but a solid that
+/// would be left with nothing takes its own. A material may jump at an interface: each tetrahedron is
+/// measured in its own solid's.
+///
 /// `shape` is the text of a BREP or STEP file. Throws InvalidInput for what cannot be read, for options out
-/// of range and for a material outside [0, 1]; GeometryError for a shape that is no valid solid; Cancelled.
-MeshingResult generate_mesh(const std::string& shape, const ScalarField& material,
+/// of range, for another number of materials and for one outside [0, 1]; GeometryError for a shape that is no
+/// valid solid; Cancelled.
+MeshingResult generate_mesh(const std::string& shape, const std::vector<const ScalarField*>& materials,
                             const MeshingOptions& options, RunControl& control);
+inline MeshingResult generate_mesh(const std::string& shape, const ScalarField& material,
+                                   const MeshingOptions& options, RunControl& control) {
+  return generate_mesh(shape, std::vector<const ScalarField*>{&material}, options, control);
+}
 
 }  // namespace fgmesh

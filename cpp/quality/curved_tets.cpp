@@ -82,14 +82,20 @@ bool jacobian_is_above(const CurvedTet& nodes, double least) {
   return proved_above(slopes, least, kBisections);
 }
 
-double volume(const SecondOrderMesh& mesh) {
-  double sum = 0.0;
+std::vector<double> tet_volumes(const SecondOrderMesh& mesh) {
+  std::vector<double> result;
+  result.reserve(mesh.tets.size());
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
     // All Bernstein polynomials of a degree have the same integral.
     const std::array<double, 20> jacobian = jacobian_coefficients(curved_tet(mesh, t));
-    sum += std::accumulate(jacobian.begin(), jacobian.end(), 0.0) / (6.0 * jacobian.size());
+    result.push_back(std::accumulate(jacobian.begin(), jacobian.end(), 0.0) / (6.0 * jacobian.size()));
   }
-  return sum;
+  return result;
+}
+
+double volume(const SecondOrderMesh& mesh) {
+  const std::vector<double> volumes = tet_volumes(mesh);
+  return std::accumulate(volumes.begin(), volumes.end(), 0.0);
 }
 
 Vec3 centre_of_triangle(const SecondOrderMesh& mesh, std::size_t triangle) {

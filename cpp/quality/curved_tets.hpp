@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "core/second_order_mesh.hpp"
 
@@ -19,6 +20,9 @@ std::array<double, 20> jacobian_coefficients(const CurvedTet& nodes);
 
 /// True where it is proved that the Jacobian determinant is above `least` in the whole tetrahedron.
 bool jacobian_is_above(const CurvedTet& nodes, double least);
+
+/// Volume of each curved tetrahedron, mm^3; exact.
+std::vector<double> tet_volumes(const SecondOrderMesh& mesh);
 
 /// Sum of the curved tetrahedra's volumes, mm^3; exact.
 double volume(const SecondOrderMesh& mesh);

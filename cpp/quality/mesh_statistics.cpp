@@ -29,6 +29,13 @@ std::vector<double> variations(const TetMesh& mesh, const std::vector<double>& f
   return result;
 }
 
+std::vector<double> variations(const std::vector<std::array<double, 4>>& corner_fractions) {
+  std::vector<double> result;
+  result.reserve(corner_fractions.size());
+  for (const auto& [a, b, c, d] : corner_fractions) result.push_back(composition_variation(a, b, c, d));
+  return result;
+}
+
 std::vector<double> smallest_dihedrals(const TetMesh& mesh) {
   std::vector<double> result;
   result.reserve(mesh.tets.size());
@@ -37,15 +44,21 @@ std::vector<double> smallest_dihedrals(const TetMesh& mesh) {
   return result;
 }
 
-double volume(const TetMesh& mesh) {
-  double sum = 0.0;
+std::vector<double> tet_volumes(const TetMesh& mesh) {
+  std::vector<double> result;
+  result.reserve(mesh.tets.size());
   for (const auto& [a, b, c, d] : mesh.tets)
-    sum += signed_volume(mesh.points[a], mesh.points[b], mesh.points[c], mesh.points[d]);
-  return sum;
+    result.push_back(signed_volume(mesh.points[a], mesh.points[b], mesh.points[c], mesh.points[d]));
+  return result;
+}
+
+double volume(const TetMesh& mesh) {
+  const std::vector<double> volumes = tet_volumes(mesh);
+  return std::accumulate(volumes.begin(), volumes.end(), 0.0);
 }
 
 StageReport make_stage_report(const std::string& name, const TetMesh& mesh,
-                              const std::vector<double>& fraction, double threshold) {
+                              const std::vector<double>& variation, double threshold) {
   constexpr double kDegrees = 180.0 / 3.14159265358979323846;
   StageReport report;
   report.name = name;
@@ -56,7 +69,6 @@ StageReport make_stage_report(const std::string& name, const TetMesh& mesh,
   report.dihedral_histogram = empty_histogram(0.0, 180.0, 36);
   if (mesh.tets.empty()) return report;
 
-  const std::vector<double> variation = variations(mesh, fraction);
   const auto [low, high] = std::minmax_element(variation.begin(), variation.end());
   report.variation_min = *low;
   report.variation_max = *high;

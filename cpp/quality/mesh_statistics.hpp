@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -12,15 +13,22 @@ namespace fgmesh {
 /// Material composition variation of each tetrahedron from the fraction at each point.
 std::vector<double> variations(const TetMesh& mesh, const std::vector<double>& fraction);
 
+/// The same from the fractions at the four corners of each tetrahedron.
+std::vector<double> variations(const std::vector<std::array<double, 4>>& corner_fractions);
+
 /// Smallest dihedral angle of each tetrahedron, degrees.
 std::vector<double> smallest_dihedrals(const TetMesh& mesh);
+
+/// Volume of each tetrahedron, mm^3.
+std::vector<double> tet_volumes(const TetMesh& mesh);
 
 /// Sum of the tetrahedra's volumes, mm^3.
 double volume(const TetMesh& mesh);
 
 /// The figures of the paper's table 1 and the histograms of its figures 7, 8 and 10. Variation is binned over
-/// [0, 2 threshold] (more falls into the last bin), angles over [0, 180] degrees.
+/// [0, 2 threshold] (more falls into the last bin), angles over [0, 180] degrees. `variation` holds that of
+/// each tetrahedron.
 StageReport make_stage_report(const std::string& name, const TetMesh& mesh,
-                              const std::vector<double>& fraction, double threshold);
+                              const std::vector<double>& variation, double threshold);
 
 }  // namespace fgmesh

@@ -57,6 +57,7 @@ __all__ = [
     "caret_excerpt",
     "frame_rotation",
     "generate_mesh",
+    "read_references",
     "read_shape",
     "references",
     "report",
@@ -68,20 +69,28 @@ class MeshingResult:
     """What `generate_mesh` gives. The arrays are read-only; their memory lives as long as any of them.
 
     points (n, 3) float64, mm; carriers (n, 2) int32: dimension (0 vertex ... 3 solid) and 1-based number of
-    the B-Rep entity that carries each point; fraction (n,): of the first constituent.
+    the B-Rep entity that carries each point, one point for each vertex; fraction (n,): of the first constituent,
+    on an interface of solids with different materials that in the solid with the lower number.
     tets (m, 4) int32, positively oriented (VTK order), or (m, 10) where options.order is 2: points and rows
     then begin as they would without, with the nodes in the middle of edges behind the corners; tet_solids (m,): N of SolidN; variation (m,);
     dihedral_min (m,), degrees; both of the corners; above_threshold: indices of the tetrahedra above the
-    material threshold.
-    triangles (t, 3 or 6) int32, boundary and interfaces, outward; triangle_faces (t,): N of FaceN.
-    edges (e, 2 or 3) int32, mesh edges along B-Rep edges; edge_edges (e,): N of EdgeN.
+    material threshold; tet_fractions (m, 4 or 10): the fraction at the nodes of each tetrahedron, in the
+    material of its own solid. forced_angles, small_angles: indices of the tetrahedra with a dihedral angle below
+    angle_goal (degrees), of those where the shape forces it (at an edge whose faces, or a vertex where two edges
+    of a face meet below angle_goal, or across a wall thinner than min_size) and of all others.
+    triangles (t, 3 or 6) int32, the boundary, outward, and each interface once, outward from the solid with the
+    lower number; triangle_faces (t,): N of FaceN. Where faces of the shape coincide that is the lowest;
+    coincident_faces (c, 2): index of such a triangle, N of another FaceN that it lies on.
+    edges (e, 2 or 3) int32, mesh edges along B-Rep edges; edge_edges (e,): N of EdgeN. N of an edge or vertex,
+    here and in carriers, is the lowest where some coincide, and 0 where solids had to be separated along it.
     straightened: indices of middle nodes that are not on the true boundary, since a tetrahedron would be
     turned over there.
     stages: list of StageReport; messages: list of str, for a reader.
     status: "ok"; "threshold_not_met" (some tetrahedra stay above); else "deviation_not_met" (the boundary is
     farther from the true one than surface_deviation).
     element_ratio, deviation_max (mm), surface_deviation (mm), volume and shape_volume (mm^3), threads,
-    peak_memory_mb: numbers. material_threshold: the threshold that was asked for.
+    peak_memory_mb: numbers. solid_volumes, shape_solid_volumes: of SolidN at N - 1, mm^3; what several solids
+    hold counts for the one that it is given to. material_threshold: the threshold that was asked for.
     """
 
     def __init__(self, result, material_threshold):
@@ -96,6 +105,11 @@ class MeshingResult:
     def __dir__(self):
         return sorted({*super().__dir__(), *(name for name in dir(self._result) if not name.startswith("_"))})
 
+    @property
+    def tet_fractions(self):
+        stored = self._result.tet_fractions  # empty where the points tell all
+        return stored if len(stored) else self.fraction[self.tets]
+
     def report(self):
         """As `core.report`."""
         return report(self)
@@ -105,25 +119,68 @@ def generate_mesh(brep, material, options=None, control=None):
     """Mesh the solids of a B-Rep: initial mesh, material-oriented refinement, geometry-oriented refinement;
     then nodes in the middle of edges where options.order is 2.
 
-    brep: what `read_shape` takes. material: Material. options: MeshingOptions, its defaults where None.
-    control: RunControl, to be watched or cancelled from another thread; the GIL is released meanwhile.
-    Gives a MeshingResult. Raises InvalidInput, GeometryError or Cancelled.
+    brep: what `read_shape` takes. material: one Material for all solids, or a list with that of SolidN at N - 1.
+    options: MeshingOptions, its defaults where None. control: RunControl, to be watched or cancelled from
+    another thread; the GIL is released meanwhile.
+
+    Solids share their interfaces in the mesh. Those that touch without sharing faces, overlap or are nested are
+    separated first, and messages tell what was done: a region in several solids belongs to the lowest, but a
+    solid that would be left with nothing (a ball inside a box) takes its own. Gives a MeshingResult. Raises InvalidInput, GeometryError or Cancelled.
     """
     options = MeshingOptions() if options is None else options
     control = RunControl() if control is None else control
     threshold = options.material_threshold
-    result = _core.generate_mesh(read_shape(brep), material, options, control)
-    return MeshingResult(result, threshold)
+    shape = read_shape(brep)
+    materials = _with_references(list_of(material), control)
+    return MeshingResult(_core.generate_mesh(shape, materials, options, control), threshold)
 
 
-def references(brep, names, control=None):
+def list_of(material):
+    """The materials that `generate_mesh` was given, as a list."""
+    return [material] if isinstance(material, Material) else list(material)
+
+
+def references(brep, names, control=None, read=True):
     """What a material's d1 s1 d2 ... measure to: a list of Reference, for `Material(..., references=...)`.
 
     brep: what `read_shape` takes. names: parts of its solids, as FreeCAD numbers them ("Face3", "Edge1",
-    "Vertex2", "Solid1"). control: RunControl, as for `generate_mesh`. Raises InvalidInput that names a part
-    which the shape does not have, GeometryError or Cancelled.
+    "Vertex2", "Solid1"). control: RunControl, as for `generate_mesh`. Without `read` nobody looks at the
+    shape yet: a Material with such references has a checked formula, but no value before `read_references`;
+    `worker` does that in its child process. Raises InvalidInput that names a part which the shape does not have,
+    GeometryError or Cancelled.
     """
-    return _core.references(read_shape(brep), list(names), control)
+    shape, names = read_shape(brep), list(names)
+    return _core.references(shape, names, control) if read else _core.unread_references(shape, names)
+
+
+def read_references(material, control=None):
+    """`material` itself where its references have been read, else the same with those that have.
+
+    Raises InvalidInput that names a part which its shape does not have, GeometryError or Cancelled.
+    """
+    return _with_references([material], control)[0]
+
+
+def _with_references(materials, control):
+    """Of each of `materials` what `read_references` gives; each shape is read once. The same for the same."""
+    unread = {}  # a dictionary is a set in order
+    for reference in (one for material in materials for one in material.references if not one.is_read):
+        unread.setdefault(reference.shape, {})[reference.name] = None
+    made = {}
+    for shape, names in unread.items():
+        try:
+            made.update(((shape, one.name), one) for one in references(shape, names, control))
+        except GeometryError as error:
+            raise GeometryError(f"the shape of the reference {next(iter(names))}: {error}") from None
+
+    def read(material):
+        if all(one.is_read for one in material.references):
+            return material
+        found = [one if one.is_read else made[one.shape, one.name] for one in material.references]
+        return Material(material.fractions, material.parameters, material.origin, material.rotation, found)
+
+    once = {id(material): read(material) for material in materials}
+    return [once[id(material)] for material in materials]
 
 
 def read_shape(brep):
@@ -174,9 +231,11 @@ def report(result):
 
     One entry a stage under "stages" (counts of corners, facets and tetrahedra; variation and dihedral angles
     with histograms; seconds), the order of the tetrahedra, the number of all points ("points") and of those
-    in the middle of a boundary edge that are not on the true boundary ("straightened"). Then the element ratio eta = N threshold^3 / integral |grad f|^3 dV, the largest deviation from the B-Rep (mm),
-    volumes (mm^3) and the messages of the run. "certified" is empty: bounds between vertices are not proven
-    yet.
+    in the middle of a boundary edge that are not on the true boundary ("straightened"). How many tetrahedra have
+    a dihedral angle below "angle_goal", since the shape forces it ("forced_angles") and without
+    ("small_angles"). Then the element ratio eta = N threshold^3 / integral |grad f|^3 dV, the largest deviation
+    from the B-Rep (mm), volumes (mm^3), in all and of each solid under "solids", and the messages of the run.
+    "certified" is empty: bounds between vertices are not proven yet.
     """
     return {
         "status": result.status,
@@ -185,12 +244,21 @@ def report(result):
         "order": 2 if result.tets.shape[1] == 10 else 1,
         "points": len(result.points),
         "straightened": len(result.straightened),
+        "angle_goal": result.angle_goal,
+        "forced_angles": len(result.forced_angles),
+        "small_angles": len(result.small_angles),
         "element_ratio": result.element_ratio,
         "certified": {},
         "deviation_max": result.deviation_max,
         "surface_deviation": result.surface_deviation,
         "volume": result.volume,
         "shape_volume": result.shape_volume,
+        "solids": [
+            {"name": f"Solid{number}", "volume": volume, "shape_volume": exact}
+            for number, (volume, exact) in enumerate(
+                zip(result.solid_volumes.tolist(), result.shape_solid_volumes.tolist()), 1
+            )
+        ],
         "threads": result.threads,
         "peak_memory_mb": result.peak_memory_mb,
         "messages": list(result.messages),

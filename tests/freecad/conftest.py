@@ -7,8 +7,9 @@ import sys
 
 import pytest
 
-# FreeCAD's Python modules: PartDesign and Sketcher objects need theirs even without a GUI.
-sys.path.append("/usr/share/freecad/Mod")
+# FreeCAD's Python modules: PartDesign, Sketcher and Boolean fragments need theirs even without a GUI; so does its
+# writer of decks for CalculiX.
+sys.path += [f"/usr/share/freecad/{folder}" for folder in ("Mod", "Mod/Fem", "Mod/Part", "Ext")]
 
 
 @pytest.fixture

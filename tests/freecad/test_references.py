@@ -31,7 +31,11 @@ def value(solid, own_point):
     """The fraction at a point in the solid's own coordinates."""
     from freecad.fgmesh.model.graded_solid import material_of
 
-    return material_of(solid).evaluate([solid.Placement.multVec(FreeCAD.Vector(*own_point))])[0]
+    from freecad.fgmesh import core
+
+    return core.read_references(material_of(solid)).evaluate(
+        [solid.Placement.multVec(FreeCAD.Vector(*own_point))]
+    )[0]
 
 
 def test_from_face_to_face(from_end_to_end):

@@ -102,7 +102,8 @@ def fgmesh_whose_child(changed_fgmesh, child_double):
 @pytest.fixture
 def cube():
     """A result as generate_mesh gives it, built by hand: a cube of side 2 at the origin, 48 tetrahedra (each
-    of 8 small cubes cut along its diagonal), fraction x/2, faces 1 to 6: x=0, x=2, y=0, y=2, z=0, z=2."""
+    of 8 small cubes cut along its diagonal), fraction x/2, faces 1 to 6: x=0, x=2, y=0, y=2, z=0, z=2; edges 1
+    to 4 along x, 5 to 8 along y, 9 to 12 along z, vertices 1 to 8."""
     points = np.array(list(itertools.product((0.0, 1.0, 2.0), repeat=3)))
     tets = []
     for start in itertools.product((0, 1), repeat=3):
@@ -118,11 +119,13 @@ def cube():
         on_face = (points[sides][:, :, axis] == value).all(axis=1)
         triangles.append(sides[on_face])
         faces.append(np.full(on_face.sum(), face, np.int32))
-    inner = (points == 1.0).all(axis=1)
+    edges = []
+    for axis, first, second in itertools.product(range(3), (0.0, 2.0), (0.0, 2.0)):
+        a, b, c = np.flatnonzero((np.delete(points, axis, axis=1) == (first, second)).all(axis=1))
+        edges += [(a, b), (b, c)]
     fraction = points[:, 0] / 2
-    return SimpleNamespace(
+    cube = SimpleNamespace(
         points=points,
-        carriers=np.where(inner[:, None], (3, 1), (2, 1)).astype(np.int32),
         fraction=fraction,
         tets=tets,
         tet_solids=np.ones(len(tets), np.int32),
@@ -130,7 +133,24 @@ def cube():
         dihedral_min=np.full(len(tets), 45.0),
         triangles=np.vstack(triangles),
         triangle_faces=np.concatenate(faces),
+        coincident_faces=np.empty((0, 2), np.int32),
+        edges=np.array(edges, np.int32),
+        edge_edges=np.repeat(np.arange(1, 13, dtype=np.int32), 2),
     )
+    cube.carriers = carriers_of(cube)
+    return cube
+
+
+def carriers_of(cube):
+    """(n, 2) int32: what carries each point."""
+    carriers = np.full((len(cube.points), 2), (3, 1), np.int32)
+    for triangle, face in zip(cube.triangles, cube.triangle_faces):
+        carriers[triangle] = 2, face
+    for edge, number in zip(cube.edges, cube.edge_edges):
+        carriers[edge] = 1, number
+    corners = np.flatnonzero((cube.points % 2 == 0).all(axis=1))
+    carriers[corners] = [(0, number) for number in range(1, 9)]
+    return carriers
 
 
 MIDDLE_EDGES = np.array([(0, 1), (1, 2), (0, 2), (0, 3), (1, 3), (2, 3)])
@@ -149,8 +169,10 @@ def cube10(cube):
         return np.hstack([cells, np.array(middle, np.int32)])
 
     cube.tets, cube.triangles = raised(cube.tets, MIDDLE_EDGES), raised(cube.triangles, MIDDLE_EDGES[:3])
+    cube.edges = raised(cube.edges, MIDDLE_EDGES[:1])
     cube.points = np.vstack([cube.points, cube.points[edges].mean(axis=1)])
     cube.fraction = cube.points[:, 0] / 2
+    cube.carriers = carriers_of(cube)
     return cube
 
 

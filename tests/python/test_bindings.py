@@ -30,7 +30,7 @@ def points():
 def result(shapes):
     ramp = _core.Material(["x/10"])
     content = (shapes / "box.brep").read_bytes()
-    return _core.generate_mesh(content, ramp, _core.MeshingOptions(material_threshold=0.5))
+    return _core.generate_mesh(content, [ramp], _core.MeshingOptions(material_threshold=0.5))
 
 
 def test_material_values(material, points):
@@ -188,7 +188,7 @@ def test_arrays_outlive_the_result(shapes):
     ramp = _core.Material(["x/10"])
     options = _core.MeshingOptions(material_threshold=0.5)
     content = (shapes / "box.brep").read_bytes()
-    points = _core.generate_mesh(content, ramp, options).points
+    points = _core.generate_mesh(content, [ramp], options).points
     before = points.copy()
     gc.collect()
     [np.full(points.shape, 7.0) for _ in range(50)]
@@ -203,14 +203,14 @@ def test_stages_are_plain_figures(result):
 
 def test_errors_of_a_run(shapes, material):
     with pytest.raises(_core.InvalidInput):
-        _core.generate_mesh(b"", material)
+        _core.generate_mesh(b"", [material])
     with pytest.raises(_core.GeometryError):
-        _core.generate_mesh((shapes / "face.brep").read_bytes(), material)
+        _core.generate_mesh((shapes / "face.brep").read_bytes(), [material])
     control = _core.RunControl()
     control.cancel()
     assert control.cancelled()
     with pytest.raises(_core.Cancelled):
-        _core.generate_mesh((shapes / "box.brep").read_bytes(), material, control=control)
+        _core.generate_mesh((shapes / "box.brep").read_bytes(), [material], control=control)
 
 
 def test_progress_of_a_new_control():

@@ -157,3 +157,26 @@ def test_references_that_are_lost_are_named(shapes):
         core.references(shapes / "ball.brep", ["Face1", "Face2"])
     with pytest.raises(core.GeometryError, match="solid"):
         core.references(shapes / "face.brep", ["Face1"])
+
+
+def test_references_that_are_not_read_yet(shapes):
+    unread = core.references(shapes / "ball.brep", ["Solid1", "Face1"], read=False)
+    assert [(one.name, one.is_solid, one.is_read) for one in unread] == [
+        ("Solid1", True, False),
+        ("Face1", False, False),
+    ]
+    with pytest.raises(core.FormulaError):
+        core.Material(["s2"], references=unread)
+    material = core.Material(["a*s1"], {"a": 3}, (1, 2, 3), references=unread)
+    for ask in (material.evaluate, material.gradient, lambda points: material.bounds((0, 0, 0), (1, 1, 1))):
+        with pytest.raises(core.InvalidInput, match="Solid1 has not been read: .*read_references"):
+            ask([(0, 0, 0)])
+    read = core.read_references(material)
+    np.testing.assert_allclose(read.evaluate([(0, 0, 13), (0, 4, 0)]), [9, -18], atol=1e-12)
+    assert tuple(read.origin) == (1, 2, 3) and core.read_references(read) is read
+    lost = core.Material(["d1"], references=core.references(shapes / "ball.brep", ["Face2"], read=False))
+    with pytest.raises(core.InvalidInput, match="Face2 is lost"):
+        core.read_references(lost)
+    broken = core.Material(["d1"], references=core.references(shapes / "open.brep", ["Face1"], read=False))
+    with pytest.raises(core.GeometryError, match="the shape of the reference Face1: .* is open"):
+        core.read_references(broken)

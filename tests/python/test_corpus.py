@@ -12,17 +12,27 @@ from freecad.fgmesh import core
 
 @pytest.fixture(scope="module")
 def parts(shapes, tmp_path_factory):
-    """A folder with a box of 10 x 20 x 5 mm, a ball and a file that is no part."""
+    """A folder with a box of 10 x 20 x 5 mm with a hole across, a ball and a file that is no part."""
     import FreeCAD
     import Part
 
     folder = tmp_path_factory.mktemp("parts")
     (folder / "deeper").mkdir()
-    Part.makeBox(10, 20, 5, FreeCAD.Vector(1e-6, -3, 0)).exportStep(str(folder / "box.STEP"))
+    box = Part.makeBox(10, 20, 5, FreeCAD.Vector(1e-6, -3, 0))
+    hole = Part.makeBox(4, 4, 5, FreeCAD.Vector(3, 2, 0))
+    box.cut(hole).exportStep(str(folder / "box.STEP"))
     shutil.copy(shapes / "ball.brep", folder / "deeper")
     shutil.copy(shapes / "text.step", folder)
     (folder / "notes.txt").write_text("not a part")
     return folder
+
+
+@pytest.fixture
+def part_figures(source_dir, monkeypatch):
+    monkeypatch.syspath_prepend(source_dir / "tests" / "corpus")
+    import part_figures
+
+    return part_figures
 
 
 @pytest.fixture(scope="module")
@@ -40,7 +50,7 @@ def run(source_dir, parts):
 def kept(run, tmp_path_factory):
     """The folder of a first result."""
     folder = tmp_path_factory.mktemp("corpus")
-    done = run(folder)
+    done = run(folder, "--gmsh")
     assert done.returncode == 0, done.stderr
     assert (folder / "corpus.md").read_text() == done.stdout
     return folder
@@ -60,7 +70,39 @@ def test_every_part_has_its_row(kept):
     # Chords of a ball lie inside it; facets within the deviation lose less than a shell of that thickness.
     assert -100 * 3 * (np.sqrt(12) * 10 / 2000) / 10 < ball["volume_error"] < 0
     assert abs(box["deviation"]) < 1e-6 and 0 < ball["deviation"] <= 1
-    assert 0 < box["dihedral_min"] < 70.6 < box["dihedral_max"] < 180
+    for row in box, ball:
+        assert 5 < row["dihedral_min"] == row["unforced_min"] < 70.6 < row["dihedral_max"] < 180
+        assert row["off"] < 1e-9 and row["misses"] == ""
+    assert box["euler"] == box["shape_euler"] == 0  # a ring's
+    assert ball["euler"] == ball["shape_euler"] == 2
+
+
+def test_gmsh_meshes_the_parts_too(kept):
+    box, ball, _ = files_of(kept).values()
+    assert abs(box["gmsh_volume_error"]) < 1e-6 and abs(box["alike_volume_error"]) < 1e-6
+    assert -5 < ball["gmsh_volume_error"] < 0
+    for row in box, ball:
+        assert row["gmsh_message"] == "" and row["gmsh_seconds"] > 0
+        assert row["alike_ratio"] == row["alike_tets"] / row["gmsh_tets"]
+    assert ball["fine_tets"] > ball["alike_tets"]
+
+
+def test_limits_that_are_missed_are_told(part_figures):
+    kept = dict(
+        volume_error=-0.4, deviation=1.0, unforced_min=5.0, seconds=120, euler=2, shape_euler=2, off=1e-9
+    )
+    assert list(part_figures.misses(kept)) == []
+    missed = dict(volume_error=-0.6, deviation=1.1, unforced_min=4.9, seconds=121, euler=2, shape_euler=0)
+    assert list(part_figures.misses({**kept, **missed})) == [
+        "volume",
+        "deviation",
+        "angle",
+        "time",
+        "topology (2 for 0)",
+    ]
+    assert list(part_figures.misses({**kept, "off": 1e-3})) == ["points off"]
+    del kept["off"]
+    assert list(part_figures.misses(kept)) == ["FreeCAD fails"]
 
 
 def test_parts_are_graded_along_their_longest_axis(kept):
@@ -72,6 +114,7 @@ def test_parts_are_graded_along_their_longest_axis(kept):
 def test_the_table_is_markdown(kept):
     lines = (kept / "corpus.md").read_text().splitlines()
     assert all(line.count("|") == lines[0].count("|") for line in lines[:5])
+    assert all(line.count("|") == lines[8].count("|") > 10 for line in lines[8:13])
     assert "2 ok, 1 refused" in lines
 
 

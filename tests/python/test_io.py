@@ -9,6 +9,10 @@ import pytest
 from freecad.fgmesh import io, pictures
 
 
+COUNTS = {"Solid": 1, "Face": 6, "Edge": 12}
+"""Of the sample's parts."""
+
+
 def volumes(points, tets):
     a, b, c = (points[tets[:, i]] - points[tets[:, 0]] for i in (1, 2, 3))
     return np.einsum("ij,ij->i", np.cross(a, b), c) / 6
@@ -32,6 +36,10 @@ def test_vtu(cube, tmp_path):
     assert np.array_equal(mesh.cells[1].data, cube.triangles)
     assert np.allclose(mesh.point_data["fraction_1"], cube.points[:, 0] / 2)
     assert np.allclose(mesh.point_data["fraction_1"] + mesh.point_data["fraction_2"], 1)
+    vertex, edge = mesh.point_data["vertex"], mesh.point_data["edge"]
+    at_ends = (mesh.points != 1).sum(axis=1)  # 3 at vertices, 2 inside edges
+    assert np.array_equal(vertex > 0, at_ends == 3) and np.array_equal(edge > 0, at_ends == 2)
+    assert (vertex[26], edge[23]) == (8, 8)
     tets, triangles = mesh.cell_data["solid"]
     assert (tets == 1).all() and (triangles == 0).all()
     tets, triangles = mesh.cell_data["face"]
@@ -66,15 +74,45 @@ def test_gmsh_groups(cube, tmp_path):
     answer = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=60)
     assert answer.returncode == 0 and "Error" not in answer.stdout + answer.stderr
     mesh = meshio.read(tmp_path / "again.msh")
-    assert set(mesh.field_data) == {"Solid1", *(f"Face{n}" for n in range(1, 7))}
+    counts = {**COUNTS, "Vertex": 8}
+    assert set(mesh.field_data) == {f"{word}{n}" for word, last in counts.items() for n in range(1, last + 1)}
     cells = mesh.cells_dict
-    assert len(cells["tetra"]) == 48 and len(cells["triangle"]) == 48
+    assert [len(cells[kind]) for kind in ("tetra", "triangle", "line", "vertex")] == [48, 48, 24, 8]
     assert volumes(mesh.points, cells["tetra"]).sum() == pytest.approx(8)
-    physical = np.concatenate(
-        [tags for block, tags in zip(mesh.cells, mesh.cell_data["gmsh:physical"]) if block.type == "triangle"]
-    )
-    on_face_2 = mesh.points[cells["triangle"][physical == mesh.field_data["Face2"][0]]]
-    assert len(on_face_2) == 8 and (on_face_2[:, :, 0] == 2).all()
+
+    def group(kind, name):
+        physical = mesh.cell_data_dict["gmsh:physical"][kind]
+        return mesh.points[cells[kind][physical == mesh.field_data[name][0]]]
+
+    assert len(group("triangle", "Face2")) == 8 and (group("triangle", "Face2")[:, :, 0] == 2).all()
+    assert group("line", "Edge8").tolist() == [[[2, 0, 2], [2, 1, 2]], [[2, 1, 2], [2, 2, 2]]]
+    assert group("vertex", "Vertex8").tolist() == [[[2, 2, 2]]]
+
+
+def test_parts_that_the_shape_has_not_give_no_group(cube, tmp_path):
+    """Number 0: Edge8, along y at x = z = 2, and Vertex8 at its end."""
+    cube.edge_edges[cube.edge_edges == 8] = 0
+    cube.carriers[(cube.carriers == (1, 8)).all(axis=1), 1] = 0
+    cube.carriers[(cube.carriers == (0, 8)).all(axis=1), 1] = 0
+    for name in ("cube.vtu", "cube.msh", "cube.unv", "cube.inp"):
+        io.write_mesh(cube, tmp_path / name)
+    for name in ("cube.unv", "cube.inp"):
+        text = (tmp_path / name).read_text()
+        assert "Edge7" in text and "Vertex7" in text
+        assert not any(f"{word}{number}" in text for word in ("Edge", "Vertex") for number in (0, 8))
+    command = ["gmsh", "cube.msh", "-save", "-o", "again.msh"]
+    answer = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=60)
+    assert answer.returncode == 0 and not {"Error", "Warning"} & {
+        *answer.stdout.split(),
+        *answer.stderr.split(),
+    }
+    mesh = meshio.read(tmp_path / "cube.msh")
+    assert len(mesh.points) == 27 and len(mesh.cells_dict["tetra"]) == 48
+    assert len(mesh.cells_dict["line"]) == 22 and len(mesh.cells_dict["vertex"]) == 7
+    assert not {"Edge0", "Edge8", "Vertex0", "Vertex8"} & set(mesh.field_data)
+    data = meshio.read(tmp_path / "cube.vtu").point_data
+    assert (data["vertex"][26], data["edge"][23]) == (0, 0)
+    assert data["edge"][26] == 12  # of the edges that meet there, one that the shape has
 
 
 def test_gmsh_keeps_fields(cube, tmp_path):
@@ -99,7 +137,19 @@ def test_unv_in_freecad(cube, tmp_path):
     groups = {
         mesh.getGroupName(g): (mesh.getGroupElementType(g), mesh.getGroupElements(g)) for g in mesh.Groups
     }
-    assert set(groups) == {"Solid1", *(f"Face{n}{tail}" for n in range(1, 7) for tail in ("", "_Nodes"))}
+    assert set(groups) == {
+        *(
+            f"{word}{n}{tail}"
+            for word, last in COUNTS.items()
+            for n in range(1, last + 1)
+            for tail in ("", "_Nodes")
+        ),
+        *(f"Vertex{n}_Nodes" for n in range(1, 9)),
+    }
+    # Edge8: along y at x = z = 2.
+    kind, edges = groups["Edge8"]
+    assert kind == "Edge" and [mesh.getElementNodes(number) for number in edges] == [(21, 24), (24, 27)]
+    assert groups["Edge8_Nodes"] == ("Node", (21, 24, 27)) and groups["Vertex8_Nodes"] == ("Node", (27,))
     assert groups["Solid1"][0] == "Volume" and set(groups["Solid1"][1]) == set(mesh.Volumes)
     kind, triangles = groups["Face4"]
     corners = np.array([mesh.getElementNodes(number) for number in triangles]) - 1
@@ -156,6 +206,9 @@ def test_inp_in_calculix(any_cube, tmp_path):
 def test_inp_in_meshio(cube, tmp_path):
     io.write_mesh(cube, tmp_path / "cube.inp")
     mesh = meshio.read(tmp_path / "cube.inp")
+    sets = mesh.point_sets
+    assert sorted(sets["Edge8"]) == [20, 23, 26] and list(sets["Vertex8"]) == [26]
+    assert len([name for name in sets if name.startswith(("Edge", "Vertex"))]) == 12 + 8
     assert np.array_equal(mesh.points, cube.points)
     assert np.array_equal(mesh.cells_dict["tetra"], cube.tets) and len(mesh.cells) == 1
 
@@ -221,6 +274,8 @@ def test_ten_nodes_of_unv_in_freecad(bent_cube10, tmp_path):
     triangles = np.array([mesh.getElementNodes(number) for number in mesh.Faces]) - 1
     assert np.array_equal(triangles, bent_cube10.triangles)
     assert mesh.Volume.Value == pytest.approx(8)
+    edges = np.array([mesh.getElementNodes(number) for number in mesh.Edges]) - 1
+    assert np.array_equal(edges, bent_cube10.edges)
     nodes = {mesh.getGroupName(g): mesh.getGroupElements(g) for g in mesh.Groups}["Face2_Nodes"]
     assert sorted(nodes) == list(np.flatnonzero(bent_cube10.points[:, 0] == 2) + 1) and len(nodes) == 25
 

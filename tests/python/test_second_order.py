@@ -196,8 +196,8 @@ def test_fractions_are_those_of_the_formula(case):
 
 def test_a_material_that_is_undefined_in_a_hole():
     """Nodes that could not follow the wall stay in the hole, between their neighbours of the solid."""
-    brep = shape("drilled").exportBrepToString().encode()
-    material = core.Material(["0.2*sqrt(r - 4.9999)"], origin=(8, 10, 0))
+    brep = shape("tube").exportBrepToString().encode()
+    material = core.Material(["0.2*sqrt(r - 9.4999)"])
     options = core.MeshingOptions(order=2, stop_after="initial", **COARSE)
     result = core.generate_mesh(brep, material, options)
     undefined = np.isnan(material.evaluate(result.points))

@@ -148,6 +148,20 @@ def test_a_crash_is_an_error_that_tells_it(child_that, box, material, name):
     assert isinstance(caught.value, core.GeometryError)
 
 
+def test_reading_without_end_is_a_refusal(child_that, box, material, monkeypatch):
+    monkeypatch.setattr("freecad.fgmesh.worker.run.READING_SECONDS", 1.0)
+    child_that("control.begin_stage('reading')\n    while True: pass")
+    with pytest.raises(core.GeometryError, match="could not be read.*within 1 s.*repair it"):
+        worker.generate_mesh(box, material)
+
+
+def test_a_reference_that_crashes_the_library_is_read_in_the_child(child_that, box):
+    material = core.Material(["d1/20"], references=core.references(box, ["Face1"], read=False))
+    child_that("core.references = lambda *asked: os.abort(); return core.read_references(asked[1][0])")
+    with pytest.raises(worker.Crashed):
+        worker.generate_mesh(box, material)
+
+
 def test_a_child_that_is_killed_from_outside(child_that, box, material):
     child_that("os.kill(os.getpid(), signal.SIGKILL)")
     with pytest.raises(core.Cancelled, match="SIGKILL.*memory"):

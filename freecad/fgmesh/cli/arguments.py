@@ -58,7 +58,13 @@ def _add_material(group):
     )
     add("--origin", metavar="X,Y,Z", type=triple, help="origin of the material's frame (default 0,0,0)")
     add("--axis", metavar="X,Y,Z", type=triple, help="direction of the frame's z axis (default 0,0,1)")
-    add("--material", metavar="FILE.json", help="material file, in place of --fraction; see below")
+    add(
+        "--material",
+        metavar="FILE.json",
+        action="append",
+        default=[],
+        help="material file, in place of --fraction; see below. Given again and again: that of Solid1, Solid2, ...",
+    )
     add(
         "--reference",
         metavar="FaceN",

@@ -60,8 +60,8 @@ def _mesh(parsed):
     # As a str, a path with a line break in it would be taken for the file's content.
     part = Path(parsed.part)
 
-    material = material_input.read_material(parsed, part)
-    result = run.watched_run(part, material, options, display, parsed.time_limit, parsed.memory_limit)
+    materials = material_input.read_materials(parsed, part)
+    result = run.watched_run(part, materials, options, display, parsed.time_limit, parsed.memory_limit)
     outputs.write(result, parsed)
     if not parsed.quiet:
         _print(f"{summary.summary(result)}\n\nwritten to {parsed.output}")

@@ -12,18 +12,23 @@ LARGEST_FILE = 2 * 1024 * 1024
 KEYS = ("fractions", "parameters", "origin", "axis", "references")
 
 
-def read_material(arguments, part):
-    """The Material of the parsed `arguments`, with references to parts of the shape file `part`.
+def read_materials(arguments, part):
+    """The Materials of the parsed `arguments`, one for all solids or one for each, with references to parts of
+    the shape file `part`.
 
-    Raises core.InvalidInput, FormulaError included; core.GeometryError where there are references.
+    The shape is not looked at: whether it has these parts shows when it is meshed. Raises core.InvalidInput,
+    FormulaError included.
     """
-    values = material_values(arguments)
+    return [_material(values, part) for values in material_values(arguments)]
+
+
+def _material(values, part):
     fractions = values["fractions"]
     rotation = core.frame_rotation(values.get("axis", (0.0, 0.0, 1.0)))
     for formula in fractions:
         _check_text(formula)
     names = values.get("references", [])
-    references = core.references(part, names) if names else []
+    references = core.references(part, names, read=False) if names else []
     origin = values.get("origin", (0.0, 0.0, 0.0))
     try:
         return core.Material(fractions, values["parameters"], origin, rotation, references)
@@ -33,26 +38,30 @@ def read_material(arguments, part):
 
 
 def material_values(arguments):
-    """The material's plain values: fractions, parameters and, where given, origin, axis and references."""
-    values = (
-        read_material_file(arguments.material) if arguments.material else {"fractions": arguments.fraction}
-    )
+    """The plain values of each material: fractions, parameters and, where given, origin, axis and references.
+    What options tell holds for all."""
     if arguments.material and arguments.fraction:
         raise core.InvalidInput("--fraction and --material both tell the formula: give one of them")
-    if not values["fractions"]:
+    if not arguments.material and not arguments.fraction:
         raise core.InvalidInput("no material: give --fraction FORMULA or --material FILE.json")
+    materials = [read_material_file(path) for path in arguments.material] or [
+        {"fractions": arguments.fraction}
+    ]
     given = {}
     for name, value in arguments.param:
         if name in given:
             raise core.InvalidInput(f"--param {shortened(name)} is given twice")
         given[name] = value
-    values["parameters"] = {**values.get("parameters", {}), **given}
-    for key in ("origin", "axis"):
-        if getattr(arguments, key) is not None:
-            values[key] = getattr(arguments, key)
-    if arguments.reference:
-        values["references"] = arguments.reference
-    return values
+    for values in materials:
+        if not values["fractions"]:
+            raise core.InvalidInput("no material: give --fraction FORMULA or --material FILE.json")
+        values["parameters"] = {**values.get("parameters", {}), **given}
+        for key in ("origin", "axis"):
+            if getattr(arguments, key) is not None:
+                values[key] = getattr(arguments, key)
+        if arguments.reference:
+            values["references"] = arguments.reference
+    return materials
 
 
 def read_material_file(path):

@@ -15,7 +15,7 @@ def check(arguments):
     outputs = _outputs(arguments)
     for path in outputs:
         check_writable(path)
-        for other in (arguments.part, arguments.material):
+        for other in (arguments.part, *arguments.material):
             if other and os.path.realpath(path) == os.path.realpath(other):
                 raise io.OutputError(f"{path!r} is an input of this run: name another output")
     if len({os.path.realpath(path) for path in outputs}) < len(outputs):

@@ -18,6 +18,10 @@ def summary(result):
         f"volume              {figures['volume']:.6g} mm^3 (the shape: {figures['shape_volume']:.6g})",
         f"above threshold     {above} tets (threshold {figures['threshold']:g})",
     ]
+    forced, others = figures["forced_angles"], figures["small_angles"]
+    if forced or others:
+        goal = f"below {figures['angle_goal']:g} degrees"
+        lines.append(f"small angles        {forced} tets forced by the shape, {others} others ({goal})")
     if figures["order"] == 2:
         off = f"{figures['straightened']} middle nodes off the true boundary"
         lines.append(f"second order        {figures['points']} points, {off}")

@@ -3,7 +3,7 @@
 import FreeCAD
 import FreeCADGui
 
-from freecad.fgmesh.model.graded_solid import has_material
+from freecad.fgmesh.model.graded_parts import graded_parts
 from freecad.fgmesh.model.mesh_object import is_mesh
 from freecad.fgmesh.view import ICON
 
@@ -19,7 +19,7 @@ class MeshCommand:
 
     def IsActive(self):
         chosen = FreeCADGui.Selection.getSelection()
-        return len(chosen) == 1 and (is_mesh(chosen[0]) or has_material(chosen[0]))
+        return len(chosen) == 1 and (is_mesh(chosen[0]) or bool(graded_parts(chosen[0])))
 
     def Activated(self):
         (chosen,) = FreeCADGui.Selection.getSelection()

@@ -2,7 +2,7 @@
 """Meshing from a document and back into it."""
 from freecad.fgmesh import core, worker
 from freecad.fgmesh.fem.fem_mesh import to_fem_mesh
-from freecad.fgmesh.model import fingerprint, graded_solid, mesh_object, presentation
+from freecad.fgmesh.model import fingerprint, graded_parts, mesh_object, presentation
 from freecad.fgmesh.model.options import options_of
 from freecad.fgmesh.model.references import stored_links
 from freecad.fgmesh.model.shapes import brep_text
@@ -32,7 +32,7 @@ def generate(mesh, control=None, in_process=False):
     solid = _ready_solid(mesh)
     taken = fingerprint.take(mesh)
     control = control or core.RunControl()
-    asked = brep_text(solid.Shape), graded_solid.material_of(solid), options_of(mesh), control
+    asked = brep_text(solid.Shape), graded_parts.materials_of(solid), options_of(mesh), control
     result = core.generate_mesh(*asked) if in_process else _in_child(*asked)
     report, fem_mesh = core.report(result), to_fem_mesh(result)
     with transaction(mesh.Document, "Generate graded mesh"):
@@ -52,7 +52,8 @@ def _ready_solid(mesh):
     if solid is None:
         raise core.InvalidInput(f"{mesh.Label} has lost its solid: set its Shape to a graded solid")
     # The links of references are no dependencies, so that a solid can refer to its own faces.
-    for thing in dict.fromkeys([*(thing for thing, name in stored_links(solid)), solid]):
+    links = [link for part, _ in graded_parts.graded_parts(solid) for link in stored_links(part)]
+    for thing in dict.fromkeys([*(thing for thing, name in links), solid]):
         if any("Touched" in needed.State for needed in [thing, *thing.OutListRecursive]):
             thing.recompute(True)
     if not solid.isValid():

@@ -3,14 +3,15 @@
 import numpy as np
 
 from freecad.fgmesh.io.boundary import element_sides
-from freecad.fgmesh.io.groups import members, node_groups
+from freecad.fgmesh.io.groups import face_groups, members, node_groups
 
 
 def write_abaqus(result, path):
     """Write elements C3D4 or C3D10 numbered from 1, with sets for a deck:
 
-    ELSET SolidN; NSET FaceN, the nodes of a face, for supports; SURFACE FaceN (TYPE=ELEMENT), for pressures.
-    The boundary triangles are no elements of the deck: CalculiX would take them for shells.
+    ELSET SolidN; NSET SolidN, FaceN, EdgeN, VertexN, the nodes of each, for supports; SURFACE FaceN
+    (TYPE=ELEMENT), for pressures. The boundary triangles and the edges are no elements of the deck: CalculiX
+    would take them for shells and beams.
     """
     tets = np.asarray(result.tets)
     with open(path, "w", encoding="ascii") as file:
@@ -30,7 +31,7 @@ def write_abaqus(result, path):
             file.write(f"*NSET, NSET={name}\n")
             _write_numbers(file, nodes + 1)
         element, side = element_sides(result)
-        for name, triangles in members("Face", result.triangle_faces):
+        for name, triangles in face_groups(result):
             file.write(f"*SURFACE, NAME={name}, TYPE=ELEMENT\n")
             _write_rows(file, "%d, S%d", [element[triangles] + 1, side[triangles] + 1])
 

@@ -4,30 +4,33 @@
 Datasets (https://www.ceas3.uc.edu/sdrluff): 2411 nodes, 2412 elements, 2467 groups. No dataset 164 (units):
 readers disagree on the sense of its length factor, and without it all take the numbers, mm, as they stand.
 """
+from itertools import chain
+
 import numpy as np
 
-from freecad.fgmesh.io.groups import members, node_groups
+from freecad.fgmesh.io.groups import cell_groups, node_groups
 
-# By number of nodes: the element's code (plane stress triangles, solid tetrahedra; linear, parabolic) and its
-# nodes from those of VTK. Parabolic elements have each middle node between its corners.
+# By number of nodes: the element's code (rods and beams, plane stress triangles, solid tetrahedra; linear,
+# parabolic) and its nodes from those of VTK. Parabolic elements have each middle node between its corners.
+EDGES = {2: (11, [0, 1]), 3: (24, [0, 2, 1])}
 TRIANGLES = {3: (41, [0, 1, 2]), 6: (42, [0, 3, 1, 4, 2, 5])}
 TETRAHEDRA = {4: (111, [0, 1, 2, 3]), 10: (118, [0, 4, 1, 5, 2, 6, 7, 8, 9, 3])}
+BEAMS = {code for code, _ in EDGES.values()}
 NODE, ELEMENT = 7, 8  # type codes of group entries
 
 
 def write_unv(result, path):
-    """Write tetrahedra numbered from 1, then the triangles; groups SolidN (tetrahedra), FaceN (triangles) and
-    FaceN_Nodes (points, numbered from 1)."""
-    tets, triangles = np.asarray(result.tets), np.asarray(result.triangles)
+    """Write tetrahedra numbered from 1, then the triangles, then the edges; groups SolidN, FaceN and EdgeN of
+    these, and SolidN_Nodes, FaceN_Nodes, EdgeN_Nodes, VertexN_Nodes (points, numbered from 1)."""
+    elements, groups, first = [], [], 1
+    for codes, (cells, named) in zip((TETRAHEDRA, TRIANGLES, EDGES), cell_groups(result)):
+        elements.append(_elements(first, codes, cells))
+        groups += [(name, ELEMENT, chosen + first) for name, chosen in named]
+        first += len(cells)
+    groups += [(f"{name}_Nodes", NODE, nodes + 1) for name, nodes in node_groups(result)]
     with open(path, "w", encoding="ascii") as file:
         _dataset(file, 2411, _nodes(np.asarray(result.points)))
-        elements = [*_elements(1, TETRAHEDRA, tets), *_elements(len(tets) + 1, TRIANGLES, triangles)]
-        _dataset(file, 2412, elements)
-        groups = [(name, ELEMENT, chosen + 1) for name, chosen in members("Solid", result.tet_solids)]
-        groups += [
-            (name, ELEMENT, chosen + len(tets) + 1) for name, chosen in members("Face", result.triangle_faces)
-        ]
-        groups += [(f"{name}_Nodes", NODE, nodes + 1) for name, nodes in node_groups(result)]
+        _dataset(file, 2412, chain.from_iterable(elements))
         _dataset(
             file, 2467, (line for number, group in enumerate(groups, 1) for line in _group(number, *group))
         )
@@ -50,6 +53,8 @@ def _elements(first, kinds, cells):
     kind, order = kinds[cells.shape[1]]
     for number, nodes in enumerate((cells[:, order] + 1).tolist(), first):
         yield f"{number:10d}{kind:10d}{1:10d}{1:10d}{7:10d}{len(nodes):10d}"
+        if kind in BEAMS:  # orientation node and cross sections, which mean nothing here
+            yield f"{0:10d}" * 3
         for i in range(0, len(nodes), 8):
             yield "".join(f"{node:10d}" for node in nodes[i : i + 8])
 

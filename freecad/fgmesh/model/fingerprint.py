@@ -10,6 +10,7 @@ import math
 import FreeCAD
 
 from freecad.fgmesh.model import graded_solid, references
+from freecad.fgmesh.model.graded_parts import graded_parts
 from freecad.fgmesh.model.options import option_values
 
 _SAVED_DIGITS = 1e-12  # numbers come back from a saved document with other last digits
@@ -24,11 +25,22 @@ def take(mesh):
     return {
         "shape": _shape_hash(solid.Shape),
         "placement": _numbers(solid.Placement),
+        **_material(solid),
+        "parts": [
+            {"name": part.Name, "placement": _numbers(part.Placement), **_material(part)}
+            for part, _ in graded_parts(solid)
+            if part != solid
+        ],
+        "options": option_values(mesh),
+    }
+
+
+def _material(solid):
+    return {
         "fractions": list(getattr(solid, "FGMFractions", [])),
         "parameters": graded_solid.parameters_of(solid),
         "frame": _numbers(getattr(solid, "FGMFrame", FreeCAD.Placement())),
         "references": references.fingerprint(solid, _shape_hash, _numbers),
-        "options": option_values(mesh),
     }
 
 
@@ -41,13 +53,31 @@ def changes(before, now):
         found.append("the solid has another shape")
     if not _same(before["placement"], now["placement"]):
         found.append("the solid was moved")
+    found += _changed_material(before, now)
+    found += _changed_parts(before.get("parts", []), now["parts"])
+    found += _changed_values(before["options"], now["options"], "")
+    return found
+
+
+def _changed_material(before, now):
+    found = []
     if before["fractions"] != now["fractions"]:
         found.append("the material has another formula")
     if not _same(before["frame"], now["frame"]):
         found.append("the material's frame was moved")
     found += _changed_references(before.get("references", []), now["references"])
-    found += _changed_values(before["parameters"], now["parameters"], graded_solid.PARAMETER_PREFIX)
-    found += _changed_values(before["options"], now["options"], "")
+    return found + _changed_values(before["parameters"], now["parameters"], graded_solid.PARAMETER_PREFIX)
+
+
+def _changed_parts(before, now):
+    if [part["name"] for part in before] != [part["name"] for part in now]:
+        return ["other parts of the shape have materials"]
+    found = []
+    for old, new in zip(before, now):
+        changed = _changed_material(old, new)
+        if not _same(old["placement"], new["placement"]):
+            changed.append("it was moved")
+        found += [f"{new['name']}: {change}" for change in changed]
     return found
 
 

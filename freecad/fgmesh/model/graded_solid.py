@@ -8,9 +8,9 @@ from freecad.fgmesh.model.references import (
     LINKS,
     check_complete,
     links_of,
-    measured,
     set_links,
     stored_links,
+    unread,
 )
 from freecad.fgmesh.model.transaction import transaction
 
@@ -102,13 +102,18 @@ def frame_in_document(solid):
     return solid.Placement.multiply(solid.FGMFrame)
 
 
-def material_of(solid):
-    """The core.Material of `solid`, in the coordinates of `solid.Shape`. Raises core.InvalidInput."""
+def material_of(solid, placement=None):
+    """The core.Material of `solid`, in the coordinates of `solid.Shape`, or in those to which `placement` leads
+    from there; its references have not been read yet.
+
+    Raises core.InvalidInput, core.GeometryError for a reference without a solid."""
     if not has_material(solid):
         raise core.InvalidInput(f"{solid.Label} has no graded material: give it one with attach_material()")
     check_complete(solid)
     links = stored_links(solid)
-    return _material(solid.FGMFractions, parameters_of(solid), frame_in_document(solid), links, solid)
+    placement = FreeCAD.Placement() if placement is None else placement
+    frame = placement.multiply(frame_in_document(solid))
+    return _material(solid.FGMFractions, parameters_of(solid), frame, links, solid, placement)
 
 
 def plain_number(value):
@@ -119,10 +124,10 @@ def plain_number(value):
         raise core.InvalidInput(f"a parameter must be a number, not {value!r}") from None
 
 
-def _material(fractions, parameters, frame, links, solid):
+def _material(fractions, parameters, frame, links, solid, placement=FreeCAD.Placement()):
     matrix = frame.Rotation.toMatrix().A
     rotation = [matrix[0:3], matrix[4:7], matrix[8:11]]
-    references = measured(links, solid)
+    references = unread(links, solid, placement)
     return core.Material(list(fractions), parameters, tuple(frame.Base), rotation, references)
 
 

@@ -11,7 +11,7 @@ import Fem  # noqa: F401  registers the Fem types with the document
 
 from freecad.fgmesh import core
 from freecad.fgmesh.model import fingerprint, presentation
-from freecad.fgmesh.model.graded_solid import has_material
+from freecad.fgmesh.model.graded_parts import graded_parts
 from freecad.fgmesh.model.kept_meshes import KeptMeshes
 from freecad.fgmesh.model.options import OPTIONS, add_missing_options
 from freecad.fgmesh.model.stateless import Stateless
@@ -78,7 +78,7 @@ def make_mesh(document, solid, name="FGMesh"):
     """
     if getattr(solid, "Document", None) != document:
         raise core.InvalidInput("the mesh and its solid must be in the same document")
-    if not has_material(solid):
+    if not graded_parts(solid):
         raise core.InvalidInput(f"{solid.Label} has no graded material: give it one with attach_material()")
     with transaction(document, "Make graded mesh"):
         mesh = document.addObject(_mesh_type(document), name)

@@ -4,12 +4,17 @@
 They are kept in two properties: FGMReferences holds the links. FreeCAD takes a link away with the object that it
 leads to, and d2 would become d1; FGMReferenceNames remembers what there was.
 """
+import re
+
 from freecad.fgmesh import core
 from freecad.fgmesh.model.shapes import brep_text
 
 # A plain App::PropertyLinkSubList that leads to a face of its own solid makes a cycle: FreeCAD would refuse to
 # recompute the document.
 LINKS = "App::PropertyLinkSubListHidden"
+
+PARTS = {"Face": "Faces", "Edge": "Edges", "Vertex": "Vertexes", "Solid": "Solids"}
+"""The attributes of a shape that list its parts."""
 
 
 def links_of(references, solid):
@@ -65,31 +70,49 @@ def check_complete(solid):
     )
 
 
-def measured(links, solid):
-    """A core.Reference for each of `links`, in the coordinates of `solid.Shape`. Raises core.InvalidInput that
-    names a part which is lost, core.GeometryError for an object without a valid solid."""
-    made = {}
-    for thing in dict.fromkeys(link[0] for link in links):
-        own = [link for link in links if link[0] == thing]
+def unread(links, solid, placement):
+    """A core.Reference for each of `links`, in the coordinates to which `placement` leads from those of
+    `solid.Shape`: not read yet, which may crash on a bad shape. Raises core.InvalidInput that names a part which
+    is lost, core.GeometryError for an object without a solid."""
+    texts, found = {}, []
+    for thing, name in links:
         try:
-            text = brep_text(_shape_beside(thing, solid))
-            references = core.references(text, [_part_name(*link) for link in own])
+            if thing not in texts:
+                shape = _shape_beside(thing, solid).copy(False)
+                shape.Placement = placement.multiply(shape.Placement)
+                texts[thing] = brep_text(shape)
+            found += core.references(texts[thing], [_part_name(thing, name)], read=False)
         except core.InvalidInput as error:
             raise core.InvalidInput(f"{thing.Label}: {error}") from None
         except core.GeometryError as error:
             raise core.GeometryError(f"{thing.Label}, a reference of {solid.Label}: {error}") from None
-        made.update(zip(own, references))
-    return [made[link] for link in links]
+    return found
 
 
 def _part_name(thing, name):
+    """What the reference is called in the shape, which must have it."""
     # FreeCAD 1.x marks a part that it no longer finds by a question mark.
     name = name.lstrip("?")
-    if name:
-        return name
-    if len(thing.Shape.Solids) != 1:
-        raise core.InvalidInput(f"it has {len(thing.Shape.Solids)} solids: name one, as in 'Solid1'")
-    return "Solid1"
+    solids = len(thing.Shape.Solids)
+    if not solids:
+        raise core.GeometryError("it has no solid to which a distance could be measured: make a solid of it")
+    if not name:
+        if solids != 1:
+            raise core.InvalidInput(f"it has {solids} solids: name one, as in 'Solid1'")
+        return "Solid1"
+    match = re.fullmatch(r"(Face|Edge|Vertex|Solid)([1-9][0-9]*)", name)
+    if not match:
+        raise core.InvalidInput(
+            f"the reference {name!r} names no part: write Face1, Edge1, Vertex1 or Solid1"
+        )
+    kind, number = match.groups()
+    count = len(getattr(thing.Shape, PARTS[kind]))
+    # Not int(number): its digits may be very many.
+    if (len(number), number) > (len(str(count)), str(count)):
+        raise core.InvalidInput(
+            f"the reference {name} is lost: the shape ends with {kind}{count}; choose it anew"
+        )
+    return name
 
 
 def _shape_beside(thing, solid):

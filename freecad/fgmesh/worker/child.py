@@ -71,9 +71,9 @@ def _answer(request, shapes, arrays, send):
     threading.Thread(target=_tell_progress, args=(control, send), daemon=True).start()
     try:
         _limit_data(request["memory_limit_mb"])
-        material = _material(request["material"], shapes, control)
-        result = core.generate_mesh(shapes[0], material, core.MeshingOptions(**request["options"]), control)
-        return "result", pack(result, arrays)
+        materials = list(_materials(request["materials"], shapes))
+        result = core.generate_mesh(shapes[0], materials, core.MeshingOptions(**request["options"]), control)
+        return "result", pack(result._result, arrays)  # what is computed from it need not travel
     except Exception as error:
         return "error", {
             "name": type(error).__name__,
@@ -85,13 +85,20 @@ def _answer(request, shapes, arrays, send):
         send("progress", _progress(control))
 
 
-def _material(arguments, shapes, control):
+def _materials(asked, shapes):
+    """The materials, whose references `core.generate_mesh` reads."""
+    made = {}  # the same object for solids with the same material, which is then evaluated once
+    for arguments in asked:
+        text = json.dumps(arguments)
+        if text not in made:
+            made[text] = _material(arguments, shapes)
+        yield made[text]
+
+
+def _material(arguments, shapes):
     asked = arguments.pop("references")
-    made = {}
-    for place in {place for place, _ in asked}:
-        names = [name for other, name in asked if other == place]
-        made.update(((place, one.name), one) for one in core.references(shapes[place], names, control))
-    return core.Material(**arguments, references=[made[place, name] for place, name in asked])
+    unread = [core.references(shapes[place], [name], read=False)[0] for place, name in asked]
+    return core.Material(**arguments, references=unread)
 
 
 def _tell_progress(control, send):

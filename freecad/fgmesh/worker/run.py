@@ -20,6 +20,12 @@ WATCH_SECONDS = 0.05
 LAST_WORDS = 4000
 """Bytes of the child's standard error that are kept for the message."""
 
+READING = ("", "references", "reading")
+"""Stages in which the shape is read and checked."""
+
+READING_SECONDS, READING_SECONDS_PER_MB = 12.0, 60.0
+"""Of computing, after which OpenCASCADE will not end: sound shapes take less than a tenth of that."""
+
 CRASHES = {
     *(signal.SIGSEGV, signal.SIGABRT, signal.SIGBUS),
     *(signal.SIGFPE, signal.SIGILL, signal.SIGTRAP, signal.SIGSYS),
@@ -50,7 +56,7 @@ def start(brep, material, options=None, control=None):
 class Run:
     """A child process at work. To be used by one thread; `with` ends the child where it still runs."""
 
-    def __init__(self, shape, material, options, control):
+    def __init__(self, shape, materials, options, control):
         self._control = control
         self._threshold = options.material_threshold
         self._memory_limit_mb = control.memory_limit_mb() or 0.9 * _available_memory_mb()
@@ -59,11 +65,12 @@ class Run:
         self._unread = self._last_words = b""
         shapes = [shape]
         request = {
-            "material": _plain(material, shapes),
+            "materials": [_plain(material, shapes) for material in core.list_of(materials)],
             "shapes": [len(text) for text in shapes],
             "options": options.as_dict(),
             "memory_limit_mb": self._memory_limit_mb,
         }
+        self._reading_limit = READING_SECONDS + READING_SECONDS_PER_MB * sum(request["shapes"]) / 1e6
         self._arrays = os.memfd_create("fgmesh-arrays")
         requested = os.memfd_create("fgmesh-request")
         try:
@@ -151,12 +158,19 @@ class Run:
         self._control.report(fraction, tets)
 
     def _stop_where_due(self):
+        stage = self._control.progress().stage
         if self._control.cancelled():
-            self._stopped = "the run was cancelled"
+            self._stopped = core.Cancelled("the run was cancelled" + self._place())
         elif self._control.seconds_left() < 0:
-            self._stopped = "the time limit was reached"
+            self._stopped = core.Cancelled("the time limit was reached" + self._place())
         elif _resident_mb(self._process.pid) > self._memory_limit_mb:
-            self._stopped = self._memory_limit_reached()
+            self._stopped = core.Cancelled(self._memory_limit_reached() + self._place())
+        elif stage in READING and _computed_seconds(self._process.pid) > self._reading_limit:
+            self._stopped = core.GeometryError(
+                f"the shape could not be read and checked within {self._reading_limit:.0f} s of computing, many "
+                "times what a sound one of its size takes: check its geometry (Part -> Check geometry) and "
+                "repair it, or export it again from its source"
+            )
         if self._stopped:
             self._end()
 
@@ -186,7 +200,7 @@ class Run:
     def _early_end(self):
         """The error of a child that gave no answer."""
         if self._stopped:
-            return core.Cancelled(self._stopped + self._place())
+            return self._stopped
         status = self._process.returncode
         if status >= 0:
             return RuntimeError(f"the meshing process ended with exit status {status}{self._words()}")
@@ -271,3 +285,11 @@ def _resident_mb(pid):
         # The file of a process that has ended is empty.
         fields = file.read().split()
     return int(fields[1]) * mmap.PAGESIZE / 1e6 if fields else 0.0
+
+
+def _computed_seconds(pid):
+    """Processor time that a process has taken."""
+    with open(f"/proc/{pid}/stat", encoding="ascii", errors="replace") as file:
+        # Behind the name of the program, which may have blanks and brackets.
+        fields = file.read().rpartition(")")[2].split()
+    return sum(map(int, fields[11:13])) / os.sysconf("SC_CLK_TCK") if fields else 0.0

@@ -7,6 +7,7 @@
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -111,16 +112,29 @@ TEST(Sampling, KeepsTheDeflectionOnABallWithinTwofold) {
   EXPECT_GT(deepest, 0.1 * options.deflection) << "needlessly fine";
 }
 
-TEST(Sampling, HasNoCurvesOnABall) {
-  const SampledBoundary boundary = sampled(BRepPrimAPI_MakeSphere(50).Shape()).second;
-  EXPECT_TRUE(boundary.curves.empty());
-  EXPECT_TRUE(boundary.corners.empty());
+/// Places of the corners, lowest first.
+std::vector<Vec3> corners_of(const SampledBoundary& boundary) {
+  std::vector<Vec3> places;
+  for (const auto& corner : boundary.corners) places.push_back(boundary.points[corner.point]);
+  std::sort(places.begin(), places.end(), [](const Vec3& a, const Vec3& b) { return a.z() < b.z(); });
+  return places;
 }
 
-TEST(Sampling, FindsTheTipOfACone) {
+TEST(Sampling, HasThePolesOfABallAndNoCurves) {
+  const SampledBoundary boundary = sampled(BRepPrimAPI_MakeSphere(50).Shape()).second;
+  EXPECT_TRUE(boundary.curves.empty());
+  const std::vector<Vec3> poles = corners_of(boundary);
+  ASSERT_EQ(poles.size(), 2u);
+  EXPECT_LT((poles[0] - Vec3(0, 0, -50)).norm(), 1e-9);
+  EXPECT_LT((poles[1] - Vec3(0, 0, 50)).norm(), 1e-9);
+}
+
+TEST(Sampling, HasTheTipOfAConeAndTheVertexOfItsRim) {
   const SampledBoundary boundary = sampled(BRepPrimAPI_MakeCone(10, 0, 25).Shape()).second;
-  ASSERT_EQ(boundary.corners.size(), 1u);
-  EXPECT_LT((boundary.points[boundary.corners[0].point] - Vec3(0, 0, 25)).norm(), 1e-9);
+  const std::vector<Vec3> corners = corners_of(boundary);
+  ASSERT_EQ(corners.size(), 2u);
+  EXPECT_LT((corners[0] - Vec3(10, 0, 0)).norm(), 1e-9);
+  EXPECT_LT((corners[1] - Vec3(0, 0, 25)).norm(), 1e-9);
   ASSERT_EQ(boundary.curves.size(), 1u);
   EXPECT_EQ(boundary.curves[0].points.front(), boundary.curves[0].points.back());
 }

@@ -21,7 +21,7 @@ struct Remeshed {
       : samples(solid.samples()),
         state(solid, kField, 0.1, samples.bounds.diagonal()),
         surface(state, samples) {
-    remesh_surface(surface, {size, deviation, 0.6}, control);
+    remesh_surface(surface, WallThickness(samples), {size, deviation, 0.6}, control);
   }
 
   /// Every edge with the number of its triangles.
@@ -124,7 +124,7 @@ TEST(Tetrahedralization, RefusesASurfaceThatCutsItself) {
   MeshState state(box, kField, 0.1, 2.0);
   SurfaceMesh surface(state, samples);
   RunControl control;
-  remesh_surface(surface, {1.0, 0.1, 0.6}, control);
+  remesh_surface(surface, WallThickness(samples), {1.0, 0.1, 0.6}, control);
   for (int v = 0; v < static_cast<int>(surface.vertices.size()); ++v)
     if (!surface.at(v).empty() && surface.vertices[v].carrier.dimension == 0 &&
         surface.position(v).isZero()) {

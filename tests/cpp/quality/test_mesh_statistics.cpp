@@ -41,7 +41,7 @@ TEST(MeshStatistics, OfAGridWithALinearFraction) {
   for (const double value : variations(mesh, fraction)) EXPECT_NEAR(value, 0.25, 1e-14);
   for (const double angle : smallest_dihedrals(mesh)) EXPECT_NEAR(angle, 45.0, 1e-10);
 
-  const StageReport report = make_stage_report("initial", mesh, fraction, 0.1);
+  const StageReport report = make_stage_report("initial", mesh, variations(mesh, fraction), 0.1);
   EXPECT_EQ(report.name, "initial");
   EXPECT_EQ(report.points, 125u);
   EXPECT_EQ(report.tets, 6u * 64u);
@@ -58,7 +58,7 @@ TEST(MeshStatistics, CountsSumUp) {
   const TetMesh mesh = test::box_grid(1.0, 3);
   std::vector<double> fraction;
   for (const Vec3& p : mesh.points) fraction.push_back(p.squaredNorm() / 3.0);
-  const StageReport report = make_stage_report("initial", mesh, fraction, 0.05);
+  const StageReport report = make_stage_report("initial", mesh, variations(mesh, fraction), 0.05);
   EXPECT_EQ(sum(report.variation_histogram), mesh.tets.size());
   EXPECT_EQ(sum(report.dihedral_histogram), 6 * mesh.tets.size());
   EXPECT_GT(report.variation_max, 2.0 * 0.05) << "some must fall beyond the bins for this to be a test";
@@ -68,7 +68,7 @@ TEST(MeshStatistics, PutsVariationsIntoTheirBins) {
   std::vector<double> fraction;
   const std::vector<double> variation = {0.0, 0.2501, 0.5, 0.7501, 1.0};
   const TetMesh mesh = separate_tets(variation, fraction);
-  const StageReport report = make_stage_report("material", mesh, fraction, 0.25);
+  const StageReport report = make_stage_report("material", mesh, variations(mesh, fraction), 0.25);
   EXPECT_EQ(report.variation_histogram.low, 0.0);
   EXPECT_DOUBLE_EQ(report.variation_histogram.high, 0.5);
   const std::vector<std::size_t>& counts = report.variation_histogram.counts;
@@ -85,14 +85,15 @@ TEST(MeshStatistics, PutsVariationsIntoTheirBins) {
 TEST(MeshStatistics, WhatIsExactlyAtTheThresholdIsNotAbove) {
   std::vector<double> fraction;
   const TetMesh mesh = separate_tets({0.125, 0.125 + 1e-12, 0.1}, fraction);
-  EXPECT_EQ(make_stage_report("material", mesh, fraction, 0.125).above_threshold, 1u);
+  EXPECT_EQ(make_stage_report("material", mesh, variations(mesh, fraction), 0.125).above_threshold, 1u);
 }
 
 TEST(MeshStatistics, PutsAnglesIntoTheirBins) {
   // Of the six angles of a corner of a cube three are right, three 54.7 degrees.
   std::vector<double> fraction;
   const TetMesh mesh = separate_tets({0.5, 0.5}, fraction);
-  const Histogram histogram = make_stage_report("initial", mesh, fraction, 0.1).dihedral_histogram;
+  const Histogram histogram =
+      make_stage_report("initial", mesh, variations(mesh, fraction), 0.1).dihedral_histogram;
   EXPECT_EQ(histogram.low, 0.0);
   EXPECT_EQ(histogram.high, 180.0);
   const double width = 180.0 / static_cast<double>(histogram.counts.size());
