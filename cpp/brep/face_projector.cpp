@@ -87,7 +87,25 @@ Uv FaceProjector::closest_on_surface(const Vec3& p, const double* guess_uv) cons
   return uv;
 }
 
-bool FaceProjector::covers(const Uv& uv) const {
+bool FaceProjector::covers(Uv& uv) const {
+  if (covers_exactly(uv)) return true;
+  // A face may wind about its surface several times, as the crest of a thread does.
+  for (int k = 0; k < 2; ++k) {
+    const ParameterAxis& axis = surface_.axis(k);
+    const double turn = axis.high - axis.low;
+    if (!axis.closed || domain_.high()[k] - domain_.low()[k] <= turn) continue;
+    Uv turned = uv;
+    for (turned[k] -= turn * std::floor((uv[k] - domain_.low()[k]) / turn); turned[k] <= domain_.high()[k];
+         turned[k] += turn) {
+      if (!covers_exactly(turned)) continue;
+      uv = turned;
+      return true;
+    }
+  }
+  return false;
+}
+
+bool FaceProjector::covers_exactly(const Uv& uv) const {
   const FaceDomain::Place place = domain_.locate(uv);
   if (place != FaceDomain::Place::border) return place == FaceDomain::Place::inside;
   const BRepClass_FaceClassifier classifier(face_, gp_Pnt2d(uv[0], uv[1]), Precision::PConfusion());

@@ -47,7 +47,9 @@ class FaceProjector {
 
   SurfacePoint at(const Uv& uv) const;
   Uv closest_on_surface(const Vec3& p, const double* guess_uv) const;
-  bool covers(const Uv& uv) const;
+  /// Whether the face has the point of its surface; `uv` is moved by whole turns to where it has it.
+  bool covers(Uv& uv) const;
+  bool covers_exactly(const Uv& uv) const;
   Uv closest_on_border(const Vec3& p) const;
 
   TopoDS_Face face_;

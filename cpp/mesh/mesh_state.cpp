@@ -136,8 +136,9 @@ std::optional<Vertex> MeshState::on_edge(int a, int b, int label, double s) cons
   } else {
     result.carrier = {3, solid_around(a, b)};
   }
-  result = carried(result, position(a) + s * (position(b) - position(a)), false);
-  if (!evaluate(result)) return std::nullopt;
+  const Vec3 target = position(a) + s * (position(b) - position(a));
+  result = carried(result, target, false);
+  if (is_at_border(result, target) || !evaluate(result)) return std::nullopt;
   return result;
 }
 

@@ -7,6 +7,7 @@ namespace fgmesh {
 namespace {
 
 constexpr double kLargestChordError = 0.1;       // of the length of an edge
+constexpr double kLargestHeightError = 0.25;     // of the height of a triangle over an edge
 constexpr double kSlender = 0.05, kFlat = 1e-3;  // see SurfaceMesh::slenderness()
 
 }  // namespace
@@ -176,12 +177,14 @@ bool SurfaceMesh::collapse(int v, int w, double chord, double longest) {
     std::array<int, 3> made = triangles[t].vertex;
     std::replace(made.begin(), made.end(), v, w);
     if (!faces_out(made, triangles[t].face, 0.02)) return false;
+    const double twice_area = area_vector(position(made[0]), position(made[1]), position(made[2])).norm();
     for (int p : triangles[t].vertex) {
-      if (p == v || (position(p) - position(w)).norm() < 1e-3 * longest) continue;
-      if ((position(p) - position(w)).norm() > std::max(longest, 1.05 * (position(p) - position(v)).norm()))
-        return false;
+      const double length = (position(p) - position(w)).norm();
+      if (p == v || length < 1e-3 * longest) continue;
+      if (length > std::max(longest, 1.05 * (position(p) - position(v)).norm())) return false;
+      // Across a narrow bent strip an edge would leave the strip.
       if (chord_error(state_, vertices[p], vertices[w], triangles[t].face) >
-          std::min(chord, kLargestChordError * (position(p) - position(w)).norm()))
+          std::min({chord, kLargestChordError * length, kLargestHeightError * twice_area / length}))
         return false;
     }
   }

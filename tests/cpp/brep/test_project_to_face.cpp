@@ -1,10 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeSolid.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_NurbsConvert.hxx>
+#include <BRepBuilderAPI_Sewing.hxx>
+#include <BRepFill.hxx>
+#include <BRepLib.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
+#include <GCE2d_MakeSegment.hxx>
+#include <Geom_CylindricalSurface.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
 
 #include <cmath>
 #include <random>
@@ -72,6 +83,49 @@ TEST(ProjectToFace, TorusInClosedForm) { expect_on_torus(BRepPrimAPI_MakeTorus(3
 
 TEST(ProjectToFace, TorusAsSplines) {
   expect_on_torus(BRepBuilderAPI_NurbsConvert(BRepPrimAPI_MakeTorus(30, 8).Shape()).Shape());
+}
+
+constexpr double kTurns = 2.5, kPitch = 4.0, kBand = 1.0;
+
+/// The band on a cylinder about z that winds upwards as a thread does, and its four edges.
+TopoDS_Face helical_band(double radius, std::array<TopoDS_Edge, 4>& edges) {
+  const Handle(Geom_Surface) cylinder = new Geom_CylindricalSurface(gp_Ax3(), radius);
+  const double u = 2.0 * M_PI * kTurns, v = kPitch * kTurns;
+  const std::array<gp_Pnt2d, 4> corners = {gp_Pnt2d{0, 0}, {u, v}, {u, v + kBand}, {0, kBand}};
+  BRepBuilderAPI_MakeWire wire;
+  for (int i = 0; i < 4; ++i) {
+    wire.Add(BRepBuilderAPI_MakeEdge(GCE2d_MakeSegment(corners[i], corners[(i + 1) % 4]).Value(), cylinder));
+    edges[i] = wire.Edge();
+  }
+  const TopoDS_Face face = BRepBuilderAPI_MakeFace(cylinder, wire.Wire());
+  BRepLib::BuildCurves3d(face, 1e-7);
+  return face;
+}
+
+TEST(ProjectToFace, FaceThatWindsAboutItsCylinderMoreThanOnce) {
+  constexpr double kInner = 9.0, kOuter = 10.0;
+  std::array<TopoDS_Edge, 4> inner, outer;
+  BRepBuilderAPI_Sewing sewing(1e-5);
+  sewing.Add(helical_band(kInner, inner));
+  sewing.Add(helical_band(kOuter, outer));
+  for (int i = 0; i < 4; ++i) sewing.Add(BRepFill::Face(inner[i], outer[i]));
+  sewing.Perform();
+  TopoDS_Solid solid =
+      BRepBuilderAPI_MakeSolid(TopoDS::Shell(TopExp_Explorer(sewing.SewedShape(), TopAbs_SHELL).Current()));
+  BRepLib::OrientClosedSolid(solid);
+  const BrepModel model = sampled(solid).first;
+  for (double turn = 0.05; turn < kTurns; turn += 0.1) {
+    for (double radius : {kInner, kOuter}) {
+      const Vec3 outward(std::cos(2.0 * M_PI * turn), std::sin(2.0 * M_PI * turn), 0.0);
+      const Vec3 middle = radius * outward + Vec3(0.0, 0.0, kPitch * turn + 0.5 * kBand);
+      double nearest = 1.0;
+      for (int face = 1; face <= 6; ++face) {
+        const Vec3 found = model.project_to_face(face, middle + 0.1 * outward).position;
+        nearest = std::min(nearest, (found - middle).norm());
+      }
+      EXPECT_LT(nearest, 1e-9) << turn << " turns, radius " << radius;
+    }
+  }
 }
 
 /// Closest point of the wall of a cylinder about z, from z = 0 to `height`.
