@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "brep/nearest_point.hpp"
 #include "brep/piece_tree.hpp"
 #include "brep/reference_pieces.hpp"
 #include "core/scalar_field.hpp"

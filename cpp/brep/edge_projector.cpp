@@ -8,23 +8,45 @@
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "brep/occt.hpp"
 
 namespace fgmesh::brep {
+namespace {
+
+bool tangents_agree(const Geom_Curve& curve, double first, double last) {
+  constexpr double kSmooth = 0.05;  // radians
+  gp_Pnt position;
+  gp_Vec start, end;
+  curve.D1(first, position, start);
+  curve.D1(last, position, end);
+  return start.Magnitude() > 0.0 && end.Magnitude() > 0.0 && start.Angle(end) <= kSmooth;
+}
+
+}  // namespace
 
 EdgeProjector::EdgeProjector(const TopoDS_Edge& edge, std::vector<double> parameters)
     : curve_(BRep_Tool::Curve(edge, first_, last_)), parameters_(std::move(parameters)) {
   TopoDS_Vertex start, end;
   TopExp::Vertices(edge, start, end);
-  closed_ = start.IsSame(end);
+  closed_ = start.IsSame(end) && tangents_agree(*curve_, first_, last_);
   const GeomAdaptor_Curve adaptor(curve_);
   if (adaptor.GetType() == GeomAbs_Line) closed_form_ = adaptor.Line();
   if (adaptor.GetType() == GeomAbs_Circle) closed_form_ = adaptor.Circle();
   std::vector<Vec3> points;
   for (const double t : parameters_) points.push_back(to_vec3(curve_->Value(t)));
   for (std::size_t i = 1; i < points.size(); ++i) length_ += (points[i] - points[i - 1]).norm();
-  if (closed_form_.index() == 0) nearest_ = NearestPoint(points);
+  if (closed_form_.index() != 0) return;
+  std::vector<Piece> segments;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    Piece& segment = segments.emplace_back();
+    segment.corners = {points[i - 1], points[i], points[i]};
+    segment.low = parameters_[i - 1];
+    segment.high = parameters_[i];
+    segment.number = static_cast<int>(i) - 1;
+  }
+  segments_.emplace(std::move(segments));
 }
 
 CurvePoint EdgeProjector::at(double t) const {
@@ -51,15 +73,28 @@ CurvePoint EdgeProjector::project(const Vec3& p, const double* guess_t) const {
     const double t = ElCLib::InPeriod(ElCLib::Parameter(*circle, to_gp(p)), middle - M_PI, middle + M_PI);
     return at(std::clamp(t, first_, last_));
   }
-  double t = 0.0;
   if (guess_t) {
-    t = within_range(*guess_t);
+    double t = within_range(*guess_t);
     if (newton(p, {first_, last_}, t)) return at(t);
   }
-  Bracket bracket{};
-  t = start_parameter(p, bracket);
-  newton(p, bracket, t);
-  return at(within_range(t));
+  // At a sharp corner where the edge closes, segments on both its sides are as near.
+  std::vector<PieceTree::Candidate> candidates;
+  segments_->find(p, candidates);
+  CurvePoint closest;
+  double closest_distance = std::numeric_limits<double>::infinity();
+  for (const PieceTree::Candidate& candidate : candidates) {
+    const Piece& segment = segments_->piece(candidate.piece);
+    const double length = (segment.corners[1] - segment.corners[0]).norm();
+    const double part = length > 0.0 ? (candidate.nearest - segment.corners[0]).norm() / length : 0.0;
+    double t = segment.low + part * (segment.high - segment.low);
+    newton(p, bracket_of(segment), t);
+    const CurvePoint found = at(within_range(t));
+    const double distance = (found.position - p).norm();
+    if (distance >= closest_distance) continue;
+    closest_distance = distance;
+    closest = found;
+  }
+  return closest;
 }
 
 CurvePoint EdgeProjector::project_between(const Vec3& p, double low, double high, double start) const {
@@ -68,17 +103,15 @@ CurvePoint EdgeProjector::project_between(const Vec3& p, double low, double high
   return at(t);
 }
 
-/// The nearest sample; the closest point lies between its neighbours.
-double EdgeProjector::start_parameter(const Vec3& p, Bracket& bracket) const {
-  const int last = static_cast<int>(parameters_.size()) - 1;
-  const int nearest = nearest_(p);
-  bracket = {parameters_[std::max(nearest - 1, 0)], parameters_[std::min(nearest + 1, last)]};
+EdgeProjector::Bracket EdgeProjector::bracket_of(const Piece& segment) const {
+  const int last = static_cast<int>(parameters_.size()) - 1, i = segment.number;
+  Bracket bracket{parameters_[std::max(i - 1, 0)], parameters_[std::min(i + 2, last)]};
   if (closed_ && last > 1) {
     const double period = last_ - first_;
-    if (nearest == 0) bracket.low = parameters_[last - 1] - period;
-    if (nearest == last) bracket.high = parameters_[1] + period;
+    if (i == 0) bracket.low = parameters_[last - 1] - period;
+    if (i + 1 == last) bracket.high = parameters_[1] + period;
   }
-  return parameters_[nearest];
+  return bracket;
 }
 
 /// Newton's method on the squared distance, which never rises; false where it does not settle.

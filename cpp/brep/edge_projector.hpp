@@ -5,10 +5,11 @@
 #include <TopoDS_Edge.hxx>
 #include <gp_Circ.hxx>
 #include <gp_Lin.hxx>
+#include <optional>
 #include <variant>
 #include <vector>
 
-#include "brep/nearest_point.hpp"
+#include "brep/piece_tree.hpp"
 #include "core/boundary_geometry.hpp"
 
 namespace fgmesh::brep {
@@ -37,17 +38,18 @@ class EdgeProjector {
     double low, high;
   };
 
-  double start_parameter(const Vec3& p, Bracket& bracket) const;
+  /// Around a segment between two samples.
+  Bracket bracket_of(const Piece& segment) const;
   bool newton(const Vec3& p, const Bracket& bracket, double& t) const;
   double within_range(double t) const;
 
   double first_ = 0.0, last_ = 0.0;  // before curve_, whose making sets them
   Handle(Geom_Curve) curve_;
   std::variant<std::monostate, gp_Lin, gp_Circ> closed_form_;
-  bool closed_ = false;
+  bool closed_ = false;  ///< and smooth there
   double length_ = 0.0;  ///< of the polygon of samples
   std::vector<double> parameters_;
-  NearestPoint nearest_;
+  std::optional<PieceTree> segments_;
 };
 
 }  // namespace fgmesh::brep

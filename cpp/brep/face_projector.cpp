@@ -23,7 +23,15 @@ FaceProjector::FaceProjector(const Topology& topology, int face, const FaceSampl
       surface_(face_, domain_.low(), domain_.high()) {
   if (!surface_.has_closed_form()) {
     sample_uv_ = samples.uv;
-    nearest_ = NearestPoint(samples.points);
+    sample_triangles_ = samples.triangles;
+    std::vector<Piece> pieces;
+    for (std::size_t i = 0; i < samples.triangles.size(); ++i) {
+      const auto& [a, b, c] = samples.triangles[i];
+      Piece& piece = pieces.emplace_back();
+      piece.corners = {samples.points[a], samples.points[b], samples.points[c]};
+      piece.number = static_cast<int>(i);
+    }
+    samples_.emplace(std::move(pieces));
   }
   for (TopExp_Explorer it(face_, TopAbs_EDGE); it.More(); it.Next()) {
     const TopoDS_Edge edge = TopoDS::Edge(it.Current());
@@ -47,7 +55,7 @@ SurfacePoint FaceProjector::project_to_surface(const Vec3& p, const Vec3& near, 
   if (surface_.has_closed_form()) {
     uv = surface_.closest_by_form(p);
   } else {
-    uv = sample_uv_[nearest_(near)];
+    uv = nearest_sample(near);
     surface_.closest_from(p, uv);
   }
   covered = covers(uv);
@@ -55,7 +63,7 @@ SurfacePoint FaceProjector::project_to_surface(const Vec3& p, const Vec3& near, 
 }
 
 std::array<double, 2> FaceProjector::curvatures(const Vec3& near) const {
-  const Uv& uv = sample_uv_[nearest_(near)];
+  const Uv uv = nearest_sample(near);
   GeomLProp_SLProps properties(surface_.geometry(), uv[0], uv[1], 2, Precision::Confusion());
   if (!properties.IsCurvatureDefined()) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -82,9 +90,41 @@ Uv FaceProjector::closest_on_surface(const Vec3& p, const double* guess_uv) cons
     Uv uv{guess_uv[0], guess_uv[1]};
     if (surface_.closest_from(p, uv)) return uv;
   }
-  Uv uv = sample_uv_[nearest_(p)];
-  if (!surface_.closest_from(p, uv)) surface_.closest_by_search(p, uv);
+  // At a seam, which may be sharp, triangles of both its sides are as near.
+  std::vector<PieceTree::Candidate> candidates;
+  samples_->find(p, candidates);
+  Uv closest{};
+  double closest_distance = std::numeric_limits<double>::infinity();
+  for (const PieceTree::Candidate& candidate : candidates) {
+    Uv uv = uv_of(candidate);
+    if (!surface_.closest_from(p, uv)) surface_.closest_by_search(p, uv);
+    const double distance = (surface_.position(uv) - p).norm();
+    if (distance >= closest_distance) continue;
+    closest_distance = distance;
+    closest = uv;
+  }
+  return closest;
+}
+
+Uv FaceProjector::uv_of(const PieceTree::Candidate& candidate) const {
+  const Piece& piece = samples_->piece(candidate.piece);
+  const auto& [a, b, c] = piece.corners;
+  const auto& [ia, ib, ic] = sample_triangles_[piece.number];
+  // Barycentric coordinates; those of the first corner where the triangle is flat.
+  const Vec3 area = (b - a).cross(c - a), at = candidate.nearest - a;
+  const double squared = area.squaredNorm();
+  const double at_b = squared > 0.0 ? at.cross(c - a).dot(area) / squared : 0.0,
+               at_c = squared > 0.0 ? (b - a).cross(at).dot(area) / squared : 0.0;
+  Uv uv;
+  for (int k = 0; k < 2; ++k)
+    uv[k] = (1.0 - at_b - at_c) * sample_uv_[ia][k] + at_b * sample_uv_[ib][k] + at_c * sample_uv_[ic][k];
   return uv;
+}
+
+Uv FaceProjector::nearest_sample(const Vec3& p) const {
+  std::vector<PieceTree::Candidate> candidates;
+  samples_->find(p, candidates);
+  return uv_of(candidates.front());
 }
 
 bool FaceProjector::covers(Uv& uv) const {

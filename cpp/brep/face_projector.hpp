@@ -9,7 +9,7 @@
 
 #include "brep/edge_projector.hpp"
 #include "brep/face_domain.hpp"
-#include "brep/nearest_point.hpp"
+#include "brep/piece_tree.hpp"
 #include "brep/sampling.hpp"
 #include "brep/surface.hpp"
 #include "brep/topology.hpp"
@@ -30,12 +30,13 @@ class FaceProjector {
   bool has_closed_form() const { return surface_.has_closed_form(); }
 
   /// Closest point of the surface without its borders: the closest of all where there is a closed form, else
-  /// the one to which the distance falls from the sample nearest to `near`. `covered`: it lies on the face.
+  /// the one to which the distance falls from the sample triangle nearest to `near`. `covered`: it lies on
+  /// the face.
   SurfacePoint project_to_surface(const Vec3& p, const Vec3& near, bool& covered) const;
 
-  /// How much the surface bends towards its outer and its inner side at the sample nearest to `near`, 1/mm:
-  /// the largest of the curvatures, below zero where all turn away; infinite where they are not defined. For
-  /// surfaces without a closed form.
+  /// How much the surface bends towards its outer and its inner side beside the sample triangle nearest to
+  /// `near`, 1/mm: the largest of the curvatures, below zero where all turn away; infinite where they are not
+  /// defined. For surfaces without a closed form.
   std::array<double, 2> curvatures(const Vec3& near) const;
 
  private:
@@ -47,6 +48,9 @@ class FaceProjector {
 
   SurfacePoint at(const Uv& uv) const;
   Uv closest_on_surface(const Vec3& p, const double* guess_uv) const;
+  /// Where the sample triangle of a candidate has its nearest point.
+  Uv uv_of(const PieceTree::Candidate& candidate) const;
+  Uv nearest_sample(const Vec3& p) const;
   /// Whether the face has the point of its surface; `uv` is moved by whole turns to where it has it.
   bool covers(Uv& uv) const;
   bool covers_exactly(const Uv& uv) const;
@@ -57,7 +61,8 @@ class FaceProjector {
   FaceDomain domain_;
   Surface surface_;
   std::vector<Uv> sample_uv_;
-  NearestPoint nearest_;
+  std::vector<std::array<int, 3>> sample_triangles_;
+  std::optional<PieceTree> samples_;
   std::vector<Border> borders_;
 };
 

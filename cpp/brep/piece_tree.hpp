@@ -19,6 +19,7 @@ struct Piece {
   /// The most that the surface of a triangle bends towards its outer and its inner side, 1/mm.
   std::array<double, 2> curvatures{};
   double low = 0.0, high = 0.0;  ///< parameters of a segment's ends
+  int number = 0;                ///< for whoever made it
 };
 
 /// Finds the pieces that may hold the nearest point of what they stand for. Immutable.

@@ -25,6 +25,7 @@ struct FaceSamples {
   std::vector<Vec3> points;
   std::vector<std::array<double, 2>>
       uv;  ///< of each point; several points may meet in space at seams and poles
+  std::vector<std::array<int, 3>> triangles;
   std::vector<BorderSegment> border;
 };
 

@@ -19,16 +19,15 @@ constexpr double smooth_angle = 0.05;
 double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
 /// Not normalised; zero at singular points.
-Vec3 surface_normal(const Handle(Geom_Surface) & surface, const gp_Pnt2d& uv) {
+Vec3 surface_normal(const Geom_Surface& surface, const gp_Pnt2d& uv) {
   gp_Pnt position;
   gp_Vec du, dv;
-  surface->D1(uv.X(), uv.Y(), position, du, dv);
+  surface.D1(uv.X(), uv.Y(), position, du, dv);
   return to_vec3(du.Crossed(dv));
 }
 
 /// The two parameter curves of a seam: one for each orientation of the edge in the face.
 bool is_smooth_seam(const TopoDS_Edge& edge, const TopoDS_Face& face) {
-  const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
   double first = 0.0, last = 0.0;
   const auto side = [&](TopAbs_Orientation orientation) {
     return BRep_Tool::CurveOnSurface(TopoDS::Edge(edge.Oriented(orientation)), face, first, last);
@@ -38,13 +37,16 @@ bool is_smooth_seam(const TopoDS_Edge& edge, const TopoDS_Face& face) {
   constexpr int probes = 9;
   for (int i = 1; i <= probes; ++i) {
     const double t = first + (last - first) * i / (probes + 1);
-    const Vec3 a = surface_normal(surface, left->Value(t)), b = surface_normal(surface, right->Value(t));
-    if (angle_between(a, b) > smooth_angle) return false;
+    if (!normals_agree(*BRep_Tool::Surface(face), left->Value(t), right->Value(t))) return false;
   }
   return true;
 }
 
 }  // namespace
+
+bool normals_agree(const Geom_Surface& surface, const gp_Pnt2d& a, const gp_Pnt2d& b) {
+  return angle_between(surface_normal(surface, a), surface_normal(surface, b)) <= smooth_angle;
+}
 
 bool is_crease(const Topology& topology, int edge) {
   const EdgeUse& use = topology.edge_use(edge);

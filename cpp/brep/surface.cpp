@@ -13,20 +13,34 @@
 #include <type_traits>
 
 #include "brep/occt.hpp"
+#include "brep/smoothness.hpp"
 
 namespace fgmesh::brep {
 namespace {
 
 ParameterAxis make_axis(double face_low, double face_high, double surface_low, double surface_high,
-                        bool periodic, double period, bool closed) {
+                        bool periodic, bool closed) {
   if (periodic) {
-    const double middle = 0.5 * (face_low + face_high);
+    const double middle = 0.5 * (face_low + face_high), period = surface_high - surface_low;
     return {middle - 0.5 * period, middle + 0.5 * period, true};
   }
   if (closed) return {surface_low, surface_high, true};
   // A little beyond the face, so that a point outside of it is seen to be there.
   const double margin = 0.05 * (face_high - face_low);
   return {std::max(face_low - margin, surface_low), std::min(face_high + margin, surface_high), false};
+}
+
+/// Whether a surface that is closed in a direction has a sharp edge where it closes.
+bool is_sharp_seam(const Geom_Surface& surface, int direction, double low, double high, double other_low,
+                   double other_high) {
+  constexpr int kProbes = 5;
+  for (int i = 1; i <= kProbes; ++i) {
+    const double other = other_low + (other_high - other_low) * i / (kProbes + 1);
+    const gp_Pnt2d a = direction == 0 ? gp_Pnt2d(low, other) : gp_Pnt2d(other, low),
+                   b = direction == 0 ? gp_Pnt2d(high, other) : gp_Pnt2d(other, high);
+    if (!normals_agree(surface, a, b)) return true;
+  }
+  return false;
 }
 
 struct Derivatives {
@@ -107,11 +121,13 @@ Surface::Surface(const TopoDS_Face& face, const Uv& low, const Uv& high)
   }
   double u_low = 0.0, u_high = 0.0, v_low = 0.0, v_high = 0.0;
   geometry_->Bounds(u_low, u_high, v_low, v_high);
-  const bool u_periodic = geometry_->IsUPeriodic(), v_periodic = geometry_->IsVPeriodic();
-  axes_[0] = make_axis(low[0], high[0], u_low, u_high, u_periodic, u_periodic ? geometry_->UPeriod() : 0.0,
-                       geometry_->IsUClosed());
-  axes_[1] = make_axis(low[1], high[1], v_low, v_high, v_periodic, v_periodic ? geometry_->VPeriod() : 0.0,
-                       geometry_->IsVClosed());
+  // Not closed across a sharp edge: Newton's method would not settle there.
+  const bool u_closed =
+      geometry_->IsUClosed() && !is_sharp_seam(*geometry_, 0, u_low, u_high, low[1], high[1]);
+  const bool v_closed =
+      geometry_->IsVClosed() && !is_sharp_seam(*geometry_, 1, v_low, v_high, low[0], high[0]);
+  axes_[0] = make_axis(low[0], high[0], u_low, u_high, u_closed && geometry_->IsUPeriodic(), u_closed);
+  axes_[1] = make_axis(low[1], high[1], v_low, v_high, v_closed && geometry_->IsVPeriodic(), v_closed);
   const Vec3 corner = position(low);
   for (const Uv& other :
        {Uv{high[0], low[1]}, high, Uv{0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1])}}) {

@@ -174,6 +174,7 @@ class Welder {
       const bool collapsed =
           triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0];
       if (collapsed) continue;
+      sampling_.faces[number - 1].triangles.push_back({a - 1, b - 1, c - 1});
       if (use.reversed) std::swap(triangle[1], triangle[2]);
       boundary().triangles.push_back(triangle);
       boundary().triangle_face.push_back(number);

@@ -153,8 +153,12 @@ double chord_error(const MeshState& state, const Vertex& a, const Vertex& b, int
   const auto seen_from = [&](const Vertex& end) {
     return end.carrier.dimension == 2 ? 0.25 * std::abs(end.direction.dot(chord)) : 0.0;
   };
-  if (a.carrier.dimension == 1 && b.carrier.dimension == 1 && a.carrier.number == b.carrier.number)
-    return 0.25 * std::max(a.direction.cross(chord).norm(), b.direction.cross(chord).norm());
+  if (a.carrier.dimension == 1 && b.carrier.dimension == 1 && a.carrier.number == b.carrier.number) {
+    // Along their edge, and not across a face that it goes around.
+    constexpr double kAlong = 0.5;
+    const double aside = std::max(a.direction.cross(chord).norm(), b.direction.cross(chord).norm());
+    if (aside < kAlong * chord.norm()) return 0.25 * aside;
+  }
   if (a.carrier.dimension == 2 || b.carrier.dimension == 2) return std::max(seen_from(a), seen_from(b));
   const Vec3 middle = 0.5 * (a.position + b.position);
   return (state.boundary().project_to_face(label, middle).position - middle).norm();

@@ -89,9 +89,6 @@ int SurfaceMesh::split(int a, int b) {
   at_edge(a, b, around);
   const int edge = crease(a, b);
   if (around.empty()) return -1;
-  if (!edge && std::any_of(around.begin(), around.end(),
-                           [&](int t) { return slenderness(triangles[t].vertex) < kFlat; }))
-    return -1;
   Vertex middle;
   middle.carrier = edge ? Carrier{1, edge} : Carrier{2, triangles[around.front()].face};
   middle.size = 0.5 * (vertices[a].size + vertices[b].size);
@@ -100,6 +97,11 @@ int SurfaceMesh::split(int a, int b) {
   constexpr double kFarthest = 0.4;  // of the edge's length
   const double length = (position(a) - position(b)).norm();
   if ((middle.position - half_way).norm() > kFarthest * length || is_at_border(middle, half_way)) return -1;
+  // In a triangle that is flat at its apex the middle would lie upon the apex; needles can be split.
+  if (!edge && std::any_of(around.begin(), around.end(), [&](int t) {
+        return (position(triangles[t].apex(a, b)) - middle.position).norm() < kFlat * length;
+      }))
+    return -1;
   const int v = add_vertex(middle);
   for (int t : around) {
     SurfaceTriangle first = triangles[t], second = triangles[t];
@@ -218,11 +220,13 @@ bool SurfaceMesh::flip(int a, int b, double chord) {
   if (angle(c) + angle(d) <= M_PI + 1e-6) return false;
   at_edge(c, d, around);
   if (!around.empty()) return false;
-  if (std::min(slenderness(first.vertex), slenderness(second.vertex)) > kSlender &&
-      chord_error(state_, vertices[c], vertices[d], first.face) >
-          std::max(std::min(chord, kLargestChordError * (position(c) - position(d)).norm()),
-                   chord_error(state_, vertices[a], vertices[b], first.face)))
-    return false;
+  const auto error = [&](int p, int q) { return chord_error(state_, vertices[p], vertices[q], first.face); };
+  double allowed =
+      std::max(std::min(chord, kLargestChordError * (position(c) - position(d)).norm()), error(a, b));
+  // One must go whatever the errors; but then the new edge is between old ones, and hardly farther off.
+  if (std::min(slenderness(first.vertex), slenderness(second.vertex)) <= kSlender)
+    allowed = std::max({allowed, error(a, c), error(c, b), error(b, d), error(d, a)});
+  if (error(c, d) > allowed) return false;
   std::array<int, 3> made_first = first.vertex, made_second = second.vertex;
   std::replace(made_first.begin(), made_first.end(), b, d);    // (a, b, c) -> (a, d, c)
   std::replace(made_second.begin(), made_second.end(), a, c);  // (b, a, d) -> (b, c, d)

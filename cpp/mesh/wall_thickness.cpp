@@ -20,7 +20,8 @@ struct WallThickness::Tree {
   Triangles triangles;
   std::vector<int> faces;
   std::vector<std::array<int, 2>> solids;
-  std::set<std::array<int, 2>> wedges;  ///< faces that meet at an edge
+  std::set<std::array<int, 2>>
+      wedges;  ///< faces that meet at an edge; twice the same where its seam is sharp
   CGAL::AABB_tree<CGAL::AABB_traits<CgalKernel, Primitive>> boxes;
 };
 
@@ -37,7 +38,7 @@ WallThickness::WallThickness(const SampledBoundary& samples) : tree_(std::make_u
   for (const SampledBoundary::Curve& curve : samples.curves)
     for (int one : curve.faces)
       for (int other : curve.faces)
-        if (one != other) tree_->wedges.insert({one, other});
+        if (one != other || curve.faces.size() == 1) tree_->wedges.insert({one, other});
   tree_->boxes.insert(tree_->triangles.begin(), tree_->triangles.end());
   tree_->boxes.build();
 }

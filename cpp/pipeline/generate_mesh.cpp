@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <numeric>
 #include <sstream>
 
 #include "brep/brep_model.hpp"
@@ -17,8 +16,9 @@
 #include "pipeline/given_numbers.hpp"
 #include "pipeline/node_fractions.hpp"
 #include "pipeline/unmet_criteria.hpp"
-#include "quality/curved_tets.hpp"
+#include "pipeline/volumes.hpp"
 #include "quality/mesh_statistics.hpp"
+#include "quality/same_boundary.hpp"
 #include "quality/small_angles.hpp"
 #include "quality/validity.hpp"
 
@@ -26,7 +26,7 @@ namespace fgmesh {
 namespace {
 
 // Defaults as parts of the diagonal; MeshingOptions tells them to users.
-constexpr double kSurfaceDeviation = 1.0 / 2000.0;
+constexpr double kSurfaceDeviation = 1.0 / 2000.0, kLeastDeviation = 1.0 / 20000.0;
 constexpr double kMinSize = 1.0 / 2000.0;
 constexpr double kMaxSize = 1.0 / 8.0;
 
@@ -110,54 +110,11 @@ double gradient_cubed(const TetMesh& mesh, const SolidMaterials& materials) {
   return sum;
 }
 
-/// The default surface deviation follows the size of the whole, which may be much for a small round solid.
-void tell_volume_errors(MeshingResult& result) {
-  constexpr double kMuch = 5e-3;
-  if (result.solid_volumes.size() < 2) return;
-  for (std::size_t i = 0; i < result.solid_volumes.size(); ++i) {
-    const double exact = result.shape_solid_volumes[i], error = result.solid_volumes[i] - exact;
-    if (!(std::abs(error) > kMuch * exact)) continue;
-    std::ostringstream text;
-    text.precision(2);
-    text << "Solid" << i + 1 << " has " << 100.0 * std::abs(error) / exact << " % "
-         << (error < 0.0 ? "less" : "more")
-         << " volume in the mesh than in the shape: lower SurfaceDeviation, now " << result.surface_deviation
-         << " mm";
-    result.messages.push_back(text.str());
-  }
-}
-
-/// The volumes of the mesh and of the shape, in all and by the SolidN of the shape given.
-void put_volumes(const BrepModel& model, MeshingResult& result) {
-  const std::vector<double> volumes =
-      result.second_order.tets.empty() ? tet_volumes(result.mesh) : tet_volumes(result.second_order);
-  result.solid_volumes.assign(model.given_solid_count(), 0.0);
-  result.shape_solid_volumes.assign(model.given_solid_count(), 0.0);
-  for (std::size_t t = 0; t < volumes.size(); ++t)
-    result.solid_volumes[model.given_solid(result.mesh.tet_solids[t]) - 1] += volumes[t];
-  for (int solid = 1; solid <= model.solid_count(); ++solid)
-    result.shape_solid_volumes[model.given_solid(solid) - 1] += model.volumes()[solid - 1];
-  result.volume = std::accumulate(volumes.begin(), volumes.end(), 0.0);
-  result.shape_volume = model.volume();
-  tell_volume_errors(result);
-}
-
-double largest_deviation(const MeshingResult& result, const BoundaryGeometry& boundary) {
-  const TetMesh& mesh = result.mesh;
-  const bool curved = !result.second_order.triangles.empty();
-  double largest = 0.0;
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const auto& [a, b, c] = mesh.triangles[i];
-    const Vec3 centre = curved ? centre_of_triangle(result.second_order, i)
-                               : Vec3((mesh.points[a] + mesh.points[b] + mesh.points[c]) / 3.0);
-    const Vec3 nearest = boundary.project_to_face(mesh.triangle_faces[i], centre).position;
-    largest = std::max(largest, (nearest - centre).norm());
-  }
-  return largest;
-}
-
-void finish(MeshingResult& result, const BrepModel& model, const SolidMaterials& materials,
-            const MeshingOptions& options) {
+void finish(MeshingResult& result, const BrepModel& model, const SampledBoundary& samples,
+            const SolidMaterials& materials, const MeshingOptions& options) {
+  const auto name = [&](const Carrier& part) { return given_name(part, model.origins()); };
+  if (const std::string lost = find_difference(result.mesh, samples, name); !lost.empty())
+    throw GeometryError("the mesh is not the shape: " + lost + "; lower MaxSize");
   result.dihedral_min = smallest_dihedrals(result.mesh);
   if (!result.above_threshold.empty() && options.stop_after != "initial") {
     result.status = "threshold_not_met";
@@ -169,7 +126,9 @@ void finish(MeshingResult& result, const BrepModel& model, const SolidMaterials&
   if (integral > 0.0)
     result.element_ratio =
         static_cast<double>(result.mesh.tets.size()) * std::pow(options.material_threshold, 3) / integral;
-  result.deviation_max = largest_deviation(result, model);
+  const std::vector<double> deviations = facet_deviations(result, model);
+  require_explained_volumes(result, deviations, model);
+  result.deviation_max = *std::max_element(deviations.begin(), deviations.end());
   result.surface_deviation = options.surface_deviation;
   if (options.stop_after == "geometry" && result.deviation_max > options.surface_deviation) {
     if (result.status == "ok") result.status = "deviation_not_met";
@@ -178,7 +137,6 @@ void finish(MeshingResult& result, const BrepModel& model, const SolidMaterials&
          << options.surface_deviation << " mm are allowed: lower MinSize, now " << options.min_size << " mm";
     result.messages.push_back(text.str());
   }
-  const auto name = [&](const Carrier& part) { return given_name(part, model.origins()); };
   SmallAngles angles = find_small_angles(result.mesh, result.dihedral_min, model, options.min_size, name);
   for (std::string& message : describe(angles, result.mesh, result.dihedral_min))
     result.messages.push_back(std::move(message));
@@ -187,6 +145,21 @@ void finish(MeshingResult& result, const BrepModel& model, const SolidMaterials&
   result.small_angles = std::move(angles.unforced);
   if (!result.second_order.straightened.empty()) result.messages.push_back(describe_straightened(result));
   result.peak_memory_mb = peak_memory_mb();
+}
+
+/// Lowers the deviation until the volumes are right, as the default is to. Returns it.
+double refine_to_volume(MeshState& state, GeometryRefinementOptions refinement, const BrepModel& model,
+                        RunControl& control) {
+  constexpr double kAim = 0.8, kSmallestStep = 0.8;
+  const double least = kLeastDeviation * state.diagonal();
+  while (refinement.deviation > least) {
+    const double error = largest_volume_error(state.to_tet_mesh(), model);
+    if (error <= kVolumeGoal) break;
+    refinement.deviation =
+        std::max(least, refinement.deviation * std::min(kSmallestStep, kAim * kVolumeGoal / error));
+    refine_geometry(state, refinement, control);
+  }
+  return refinement.deviation;
 }
 
 /// The material of each solid that is meshed.
@@ -214,7 +187,7 @@ MeshingResult generate_mesh(const std::string& shape, const std::vector<const Sc
   brep::told_as_separated(!model.origins().solids.empty(),
                           [&] { require_no_crossing_faces(samples, model, control); });
   const double diagonal = samples.bounds.diagonal();
-  const MeshingOptions options = resolved(asked, diagonal);
+  MeshingOptions options = resolved(asked, diagonal);
 
   MeshingResult result;
   result.messages = model.notes();
@@ -236,11 +209,13 @@ MeshingResult generate_mesh(const std::string& shape, const std::vector<const Sc
       refinement.deviation = options.surface_deviation;
       refinement.min_size = options.min_size;
       refine_geometry(state, refinement, control);
+      if (asked.surface_deviation == 0.0)
+        options.surface_deviation = refine_to_volume(state, refinement, model, control);
     });
   }
   if (options.order == 2) raise_order(state, fractions, result, control);
   if (state.materials().count() > 1) put_tet_fractions(fractions, result);
-  finish(result, model, state.materials(), options);
+  finish(result, model, samples, state.materials(), options);
   put_volumes(model, result);
   use_given_numbers(result, model.origins());
   return result;

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "core/boundary_geometry.hpp"
 #include "core/tet_mesh.hpp"
+#include "quality/part_name.hpp"
 
 namespace fgmesh {
 
@@ -22,9 +22,6 @@ struct SmallAngles {
   std::vector<std::int32_t> unforced;  ///< all others
   std::string sharpest;  ///< what forces them, for a reader: "the faces at Edge7 meet at 3 degrees ..."
 };
-
-/// What a reader calls a part of the shape: "Edge7".
-using PartName = std::function<std::string(const Carrier&)>;
 
 /// `dihedral_min` is the smallest angle of each tetrahedron, degrees. Angles of the shape are measured
 /// between its true faces and edges, not between facets.

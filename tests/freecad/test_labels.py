@@ -96,7 +96,8 @@ def test_groups_of_elements_cover_faces_and_edges(make, second_order, meshed):
     off = {element for element in fem.Faces + fem.Edges if straightened & set(fem.getElementNodes(element))}
     assert groups["Solid1"] == set(fem.Volumes)
     for number, face in enumerate(shape.Faces, 1):
-        assert groups[f"Face{number}"] - off == set(fem.getFacesByFace(face))
+        # A node that is off a curved edge may still lie on a flat face beside it.
+        assert groups[f"Face{number}"] - off == set(fem.getFacesByFace(face)) - off
         assert nodes_of(fem, groups[f"Face{number}"]) == groups[f"Face{number}_Nodes"]
     for number, edge in enumerate(shape.Edges, 1):
         if not is_border(shape, edge):

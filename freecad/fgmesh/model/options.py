@@ -27,7 +27,8 @@ OPTIONS = (
         "SurfaceDeviation",
         "surface_deviation",
         "App::PropertyLength",
-        "Largest distance of the mesh's boundary to the true one; 0: the part's diagonal / 2000",
+        "Largest distance of the mesh's boundary to the true one; 0: the part's diagonal / 2000, "
+        "or less where the volume would be more than 0.5 % off",
     ),
     Option(
         "MinSize",

@@ -18,9 +18,11 @@
 #include <BRepTools.hxx>
 #include <GeomAPI_Interpolate.hxx>
 #include <Geom_BSplineCurve.hxx>
+#include <Geom_BezierCurve.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 #include <STEPControl_Writer.hxx>
+#include <TColgp_Array1OfPnt.hxx>
 #include <TColgp_HArray1OfPnt.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
@@ -61,6 +63,16 @@ TopoDS_Shape spline_prism() {
   const TopoDS_Wire wire =
       BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(interpolate.Curve()).Edge()).Wire();
   return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(wire).Face(), gp_Vec(0, 0, 15)).Shape();
+}
+
+TopoDS_Shape teardrop() {
+  TColgp_Array1OfPnt poles(1, 4);
+  poles(1) = poles(4) = gp_Pnt(0, 0, 0);
+  poles(2) = gp_Pnt(30, 10, 0);
+  poles(3) = gp_Pnt(30, -10, 0);
+  const Handle(Geom_BezierCurve) loop = new Geom_BezierCurve(poles);
+  const TopoDS_Wire wire = BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(loop).Edge()).Wire();
+  return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(wire).Face(), gp_Vec(0, 0, 8)).Shape();
 }
 
 TopoDS_Shape thin_tube(double outer_radius, double inner_radius, double height) {

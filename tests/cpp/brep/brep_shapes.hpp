@@ -22,6 +22,9 @@ TopoDS_Shape box(double x, double y, double z);
 TopoDS_Shape box_with_hole();  ///< 60 x 40 x 30 about the origin, hole of radius 8 along z at x = 15
 TopoDS_Shape filleted_box();   ///< 40 x 30 x 20, one edge rounded with radius 5
 TopoDS_Shape spline_prism();   ///< a closed B-spline profile without edges but its seam, extruded
+/// A closed Bezier profile of one edge, with its tip of 2 atan(1/3) at the origin, extruded: one face whose
+/// seam is sharp. Its area is 0.15 |P1 x P2| = 90.
+TopoDS_Shape teardrop();
 TopoDS_Shape thin_tube(double outer_radius, double inner_radius, double height);
 TopoDS_Shape two_joined_boxes();  ///< two solids, cubes of 10 along x, that share one face
 

@@ -39,6 +39,20 @@ TEST(ProjectToEdge, CircleHasNoEnd) {
   }
 }
 
+TEST(ProjectToEdge, FindsTheNearSideOfASharpCornerWhereTheEdgeCloses) {
+  const auto [model, boundary] = sampled(test::teardrop());
+  const auto rim = std::find_if(boundary.curves.begin(), boundary.curves.end(), [&](const auto& curve) {
+    return curve.points.front() == curve.points.back() && boundary.points[curve.points[0]].z() < 1.0;
+  });
+  ASSERT_NE(rim, boundary.curves.end());
+  for (int i = 1; i < 200; ++i) {
+    const double t = i / 200.0, s = 1.0 - t;
+    const Vec3 on_edge(90.0 * t * s, 30.0 * t * s * (s - t), 0.0);
+    const Vec3 off = on_edge + Vec3(0, 0, 0.7 * t * s);
+    ASSERT_LT((model.project_to_edge(rim->edge, off).position - on_edge).norm(), 1e-7) << "t = " << t;
+  }
+}
+
 TEST(ProjectToEdge, FootOnASplineIsPerpendicular) {
   const auto [model, boundary] = sampled(test::spline_prism());
   ASSERT_EQ(boundary.curves.size(), 2u) << "the seam is smooth, so no curve";

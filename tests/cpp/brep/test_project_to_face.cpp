@@ -226,6 +226,25 @@ TEST(ProjectToFace, GuessAndSearchAgreeOnSplines) {
   }
 }
 
+TEST(ProjectToFace, FindsTheNearWallOnBothSidesOfASharpSeam) {
+  const auto [model, boundary] = sampled(test::teardrop());
+  const int wall = face_through(model, Vec3(22.5, 0, 4));
+  ASSERT_GT(wall, 0);
+  for (int i = 1; i < 200; ++i) {
+    const double t = i / 200.0, s = 1.0 - t;
+    const Vec3 on_wall(90.0 * t * s, 30.0 * t * s * (s - t), 4.0);
+    const Vec3 along(90.0 * (s - t), 30.0 * ((s - t) * (s - t) - 2.0 * t * s), 0.0);
+    const Vec3 aside = Vec3(along.y(), -along.x(), 0.0).normalized();
+    // Far less than the wall is thick there, on either side.
+    for (const double part : {-0.1, 0.1}) {
+      const Vec3 p = on_wall + part * std::min(1.0, 30.0 * t * s) * aside;
+      const SurfacePoint found = model.project_to_face(wall, p);
+      ASSERT_LT((found.position - on_wall).norm(), 1e-7) << "t = " << t;
+      ASSERT_NEAR(std::abs(found.normal.dot(aside)), 1.0, 1e-7) << "t = " << t;
+    }
+  }
+}
+
 TEST(ProjectToFace, IsTheSameFromManyThreads) {
   const auto sample = sampled(BRepBuilderAPI_NurbsConvert(BRepPrimAPI_MakeTorus(30, 8).Shape()).Shape());
   const BrepModel& model = sample.first;

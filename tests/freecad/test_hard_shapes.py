@@ -1,0 +1,185 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Solids with what makes meshers fail, against closed forms and against FreeCAD's own account of them."""
+import math
+
+import FreeCAD
+import numpy as np
+import Part
+import pytest
+
+from FreeCAD import Vector
+
+X, Z = Vector(1, 0, 0), Vector(0, 0, 1)
+
+
+def extruded(wire, height):
+    return Part.Face(Part.Wire(wire)).extrude(height * Z)
+
+
+def curve(kind, *points):
+    made = kind()
+    made.setPoles([Vector(*point) for point in points]) if kind is Part.BezierCurve else made.interpolate(
+        [Vector(*point) for point in points]
+    )
+    return made.toShape()
+
+
+def ball():
+    return Part.makeSphere(10)
+
+
+def torus():
+    return Part.makeTorus(10, 3)
+
+
+def cone():
+    return Part.makeCone(5, 0, 12)
+
+
+def ball_in_a_box():
+    return Part.makeBox(20, 20, 20).cut(Part.makeSphere(6, Vector(10, 10, 10)))
+
+
+def knife():
+    """A wedge of 8 degrees."""
+    tip = [Vector(), Vector(10, 0, 0), Vector(10, 10 * math.tan(math.radians(8)), 0), Vector()]
+    return extruded(Part.makePolygon(tip).Edges, 5)
+
+
+def thin_tube():
+    return Part.makeCylinder(10, 20).cut(Part.makeCylinder(9.8, 20))
+
+
+def shell_of_a_ball():
+    return Part.makeSphere(10).cut(Part.makeSphere(9.5))
+
+
+def slender_rod():
+    return Part.makeCylinder(1, 60)
+
+
+def teardrop():
+    """One closed spline with a sharp corner, where both the seam of the wall and the rims' ends are."""
+    return extruded([curve(Part.BezierCurve, (0, 0), (30, 10), (30, -10), (0, 0))], 8)
+
+
+def airfoil():
+    """As thin as wanted towards the trailing edge, on two sides of one face."""
+
+    def half_thickness(x):
+        return 0.6 * (
+            0.2969 * math.sqrt(x) - 0.1260 * x - 0.3516 * x**2 + 0.2843 * x**3 - 0.1036 * x**4
+        )
+
+    stations = [0.5 * (1 + math.cos(math.pi * i / 12)) for i in range(13)]
+    upper = [(50 * x, 50 * half_thickness(x)) for x in stations]
+    return extruded([curve(Part.BSplineCurve, *upper, *((x, -y) for x, y in reversed(upper[:-1])))], 40)
+
+
+def crossing_bores():
+    """Bores that cut each other, so that a wall lies between edges that run around it."""
+    bores = [Part.makeCylinder(2, 30, Vector(-15, 0, 12), X), Part.makeCylinder(1.5, 50, Vector(0, 3, 0))]
+    return Part.makeCylinder(8, 50).cut(bores)
+
+
+def loft():
+    square = Part.makePolygon([Vector(x, y) for x, y in ((-6, -6), (6, -6), (6, 6), (-6, 6), (-6, -6))])
+    sections = [Part.Wire(Part.makeCircle(4, Vector(0, 0, 15))), square]
+    return Part.makeLoft(sections, True)
+
+
+def small_fillet():
+    box = Part.makeBox(30, 20, 10)
+    return box.makeFillet(0.1, [box.Edges[0]])
+
+
+def small_hole():
+    return Part.makeBox(40, 40, 10).cut(Part.makeCylinder(0.05, 10, Vector(20, 20)))
+
+
+def thread():
+    profile = [
+        Vector(5, 0, -0.6),
+        Vector(5, 0, 0.6),
+        Vector(4.2, 0, 0.2),
+        Vector(4.2, 0, -0.2),
+        Vector(5, 0, -0.6),
+    ]
+    sweep = Part.BRepOffsetAPI.MakePipeShell(Part.makeHelix(2, 6, 5))
+    sweep.setFrenetMode(True)
+    sweep.add(Part.makePolygon(profile))
+    sweep.build()
+    sweep.makeSolid()
+    groove = sweep.shape()
+    groove.translate(Vector(0, 0, 4))
+    return Part.makeCylinder(4.9, 14).cut(groove)
+
+
+def area_within(profile):
+    """Of one closed curve, by a polygon; FreeCAD integrates over a wavy spline with too few points."""
+    x, y, _ = np.array([tuple(point) for point in profile.discretize(5000)]).T
+    return abs(np.sum(x * np.roll(y, 1) - y * np.roll(x, 1))) / 2
+
+
+VOLUMES = {
+    ball: 4000 / 3 * math.pi,
+    torus: 2 * math.pi**2 * 10 * 3**2,
+    cone: 100 * math.pi,
+    ball_in_a_box: 8000 - 288 * math.pi,
+    knife: 250 * math.tan(math.radians(8)),
+    thin_tube: 20 * math.pi * (10**2 - 9.8**2),
+    shell_of_a_ball: 4 / 3 * math.pi * (10**3 - 9.5**3),
+    slender_rod: 60 * math.pi,
+    teardrop: 0.15 * 600 * 8,
+    airfoil: 40 * area_within(next(edge for edge in airfoil().Edges if edge.isClosed())),
+    crossing_bores: None,
+    loft: None,
+    small_fillet: 6000 - (1 - math.pi / 4) * 0.1**2 * 10,
+    small_hole: 16000 - math.pi * 0.05**2 * 10,
+    thread: None,
+}
+"""mm^3; None where only FreeCAD knows."""
+
+
+@pytest.mark.parametrize("make", VOLUMES)
+def test_mesh_is_the_solid(make, core):
+    shape = make()
+    volume = VOLUMES[make] or shape.Volume
+    assert shape.isValid() and shape.ShapeType in ("Solid", "Compound") and len(shape.Solids) == 1
+    assert make is airfoil or shape.Volume == pytest.approx(volume, rel=1e-6)
+    options = core.MeshingOptions(material_threshold=0.4)
+    result = core.generate_mesh(shape.exportBrepToString(), core.Material([ramp(shape)]), options)
+    assert result.status == "ok", result.messages
+    assert result.volume == pytest.approx(volume, rel=5e-3)
+    assert result.deviation_max <= result.surface_deviation
+    assert euler_characteristic(result.triangles) == euler_characteristic_of_solid(shape)
+    assert set(result.triangle_faces) == set(range(1, len(shape.Faces) + 1))
+    assert distance_to_faces(result, shape) < 1e-6
+    assert np.delete(result.dihedral_min, result.forced_angles).min() >= 5
+
+
+def ramp(shape):
+    box = shape.BoundBox
+    return f"0.1 + 0.8*(z - ({box.ZMin!r}))/{box.ZLength!r}"
+
+
+def euler_characteristic(triangles):
+    ends = np.sort(np.vstack([triangles[:, pair] for pair in ([0, 1], [1, 2], [2, 0])]), axis=1)
+    return len(np.unique(triangles)) - len(np.unique(ends, axis=0)) + len(triangles)
+
+
+def euler_characteristic_of_solid(shape):
+    """Of the cells of its boundary; a face with inner wires counts as many less, poles are no edges."""
+    edges = sum(not edge.Degenerated for edge in shape.Edges)
+    seamless = sum(len(face.Wires) - 1 for face in shape.Faces)
+    return len(shape.Vertexes) - edges + len(shape.Faces) - seamless
+
+
+def distance_to_faces(result, shape):
+    """The largest of a vertex of a boundary triangle, mm; of some, since FreeCAD is slow at it."""
+    some = np.random.default_rng(1).choice(len(result.triangles), 60)
+    corners = result.points[result.triangles[some, 0]]
+    return max(
+        shape.Faces[number - 1].distToShape(Part.Vertex(FreeCAD.Vector(*corner)))[0]
+        for number, corner in zip(result.triangle_faces[some].tolist(), corners.tolist())
+    )
