@@ -7,6 +7,7 @@
 #include <GeomAPI_ProjectPointOnSurf.hxx>
 #include <GeomAdaptor_Surface.hxx>
 #include <GeomLib.hxx>
+#include <Geom_BSplineSurface.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,12 @@
 #include "brep/smoothness.hpp"
 
 namespace fgmesh::brep {
+
+struct SurfaceDerivatives {
+  gp_Pnt position;
+  gp_Vec u, v, uu, vv, uv;
+};
+
 namespace {
 
 ParameterAxis make_axis(double face_low, double face_high, double surface_low, double surface_high,
@@ -43,19 +50,9 @@ bool is_sharp_seam(const Geom_Surface& surface, int direction, double low, doubl
   return false;
 }
 
-struct Derivatives {
-  gp_Pnt position;
-  gp_Vec u, v, uu, vv, uv;
-};
-
-Derivatives evaluate(const Geom_Surface& surface, const Uv& at) {
-  Derivatives d;
-  surface.D2(at[0], at[1], d.position, d.u, d.v, d.uu, d.vv, d.uv);
-  return d;
-}
-
 /// Minimiser of the quadratic model of half the squared distance; Gauss-Newton where the model is no bowl.
-std::array<double, 2> newton_step(const Derivatives& d, const gp_Vec& gap, const std::array<bool, 2>& fixed) {
+std::array<double, 2> newton_step(const SurfaceDerivatives& d, const gp_Vec& gap,
+                                  const std::array<bool, 2>& fixed) {
   const double g_u = fixed[0] ? 0.0 : gap.Dot(d.u), g_v = fixed[1] ? 0.0 : gap.Dot(d.v);
   const double e = d.u.SquareMagnitude(), f = d.u.Dot(d.v), g = d.v.SquareMagnitude();
   double a = e + gap.Dot(d.uu), b = f + gap.Dot(d.uv), c = g + gap.Dot(d.vv);
@@ -119,6 +116,10 @@ Surface::Surface(const TopoDS_Face& face, const Uv& low, const Uv& high)
     default:
       break;
   }
+  if (const auto spline = Handle(Geom_BSplineSurface)::DownCast(geometry_)) {
+    constexpr int kMostSpans = 20000;  // some hundred bytes each
+    if ((spline->NbUKnots() - 1) * (spline->NbVKnots() - 1) <= kMostSpans) spans_ = SplineSpans(*spline);
+  }
   double u_low = 0.0, u_high = 0.0, v_low = 0.0, v_high = 0.0;
   geometry_->Bounds(u_low, u_high, v_low, v_high);
   // Not closed across a sharp edge: Newton's method would not settle there.
@@ -154,7 +155,7 @@ Uv Surface::closest_by_form(const Vec3& p) const {
 bool Surface::closest_from(const Vec3& p, Uv& uv) const {
   const gp_Pnt target = to_gp(p);
   uv = bring(uv[0], uv[1]);
-  Derivatives d = evaluate(*geometry_, uv);
+  SurfaceDerivatives d = d2(uv);
   for (int iteration = 0; iteration < 40; ++iteration) {
     const gp_Vec gap(target, d.position);
     const std::array<double, 2> slope{gap.Dot(d.u), gap.Dot(d.v)};
@@ -176,14 +177,14 @@ bool Surface::closest_from(const Vec3& p, Uv& uv) const {
     bool lower = false;
     for (int halving = 0; halving < 12 && !lower; ++halving) {
       const Uv trial = bring(uv[0] + step[0], uv[1] + step[1]);
-      const Derivatives trial_d = evaluate(*geometry_, trial);
+      const SurfaceDerivatives trial_d = d2(trial);
       lower = trial_d.position.SquareDistance(target) <= distance2 * (1.0 + 1e-14);
       if (lower) {
         uv = trial;
         d = trial_d;
       }
-      // Below this reach rounding alone decides what is lower.
-      if (!lower && reach <= 1e-9 * size_) return true;
+      // Below this reach rounding decides what is lower, and where surfaces are not quite smooth, nothing is.
+      if (!lower && reach <= 1e-7 * size_) return true;
       for (double& s : step) s *= 0.5;
     }
     if (!lower) return false;
@@ -202,12 +203,28 @@ void Surface::closest_by_search(const Vec3& p, Uv& uv) const {
   }
 }
 
-Vec3 Surface::position(const Uv& uv) const { return to_vec3(geometry_->Value(uv[0], uv[1])); }
+void Surface::d1(const Uv& at, gp_Pnt& position, gp_Vec& du, gp_Vec& dv) const {
+  spans_.empty() ? geometry_->D1(at[0], at[1], position, du, dv)
+                 : spans_.at(at[0], at[1]).D1(at[0], at[1], position, du, dv);
+}
+
+SurfaceDerivatives Surface::d2(const Uv& at) const {
+  SurfaceDerivatives d;
+  spans_.empty() ? geometry_->D2(at[0], at[1], d.position, d.u, d.v, d.uu, d.vv, d.uv)
+                 : spans_.at(at[0], at[1]).D2(at[0], at[1], d.position, d.u, d.v, d.uu, d.vv, d.uv);
+  return d;
+}
+
+Vec3 Surface::position(const Uv& uv) const {
+  gp_Pnt position;
+  spans_.empty() ? geometry_->D0(uv[0], uv[1], position) : spans_.at(uv[0], uv[1]).D0(uv[0], uv[1], position);
+  return to_vec3(position);
+}
 
 Vec3 Surface::position(const Uv& uv, Vec3& normal) const {
   gp_Pnt position;
   gp_Vec du, dv;
-  geometry_->D1(uv[0], uv[1], position, du, dv);
+  d1(uv, position, du, dv);
   normal = to_vec3(du.Crossed(dv));
   const double length = normal.norm();
   const double scale = std::max(du.SquareMagnitude(), dv.SquareMagnitude());

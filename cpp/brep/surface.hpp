@@ -11,6 +11,7 @@
 #include <gp_Torus.hxx>
 #include <variant>
 
+#include "brep/spline_spans.hpp"
 #include "core/vec3.hpp"
 
 namespace fgmesh::brep {
@@ -25,6 +26,8 @@ struct ParameterAxis {
   /// `x` moved by whole turns, or clamped, into [low, high].
   double bring(double x) const;
 };
+
+struct SurfaceDerivatives;
 
 /// The surface under a face, without its trimming. Immutable and safe to share between threads: evaluates the
 /// Geom_Surface itself, since the caches of OpenCASCADE's adaptors are not.
@@ -54,9 +57,12 @@ class Surface {
   Vec3 position(const Uv& uv, Vec3& normal) const;
 
  private:
+  void d1(const Uv& at, gp_Pnt& position, gp_Vec& du, gp_Vec& dv) const;
+  SurfaceDerivatives d2(const Uv& at) const;
   Uv bring(double u, double v) const { return {axes_[0].bring(u), axes_[1].bring(v)}; }
 
   Handle(Geom_Surface) geometry_;
+  SplineSpans spans_;  ///< of a B-spline surface
   std::variant<std::monostate, gp_Pln, gp_Cylinder, gp_Cone, gp_Sphere, gp_Torus> closed_form_;
   std::array<ParameterAxis, 2> axes_;
   double size_ = 0.0;  ///< diagonal of the face's rough extent, mm

@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "mesh/boundary_recovery.hpp"
 #include "mesh/edge_split.hpp"
+#include "mesh/small_features.hpp"
 #include "mesh/surface_remeshing.hpp"
 #include "mesh/worst_first.hpp"
 
@@ -76,10 +77,12 @@ void fill_inside(MeshState& state, const InitialMeshOptions& options, RunControl
   }
 }
 
-void mesh_once(MeshState& state, const SampledBoundary& samples, const WallThickness& walls,
-               const InitialMeshOptions& options, RunControl& control) {
+std::vector<Carrier> mesh_once(MeshState& state, const SampledBoundary& samples, const WallThickness& walls,
+                               const InitialMeshOptions& options, RunControl& control) {
+  std::vector<Carrier> bridged;
   try {
     SurfaceMesh surface(state, samples);
+    bridged = bridge_small_features(surface, options.bridged, control);
     remesh_surface(surface, walls, {options.size, options.deviation, kGrowth, options.min_size}, control);
     tetrahedralize(state, surface, control);
   } catch (const CGAL::Failure_exception& error) {
@@ -88,23 +91,23 @@ void mesh_once(MeshState& state, const SampledBoundary& samples, const WallThick
   for (Vertex& vertex : state.vertices) state.evaluate(vertex);
   fill_inside(state, options, control);
   untangle(state, control);
+  return bridged;
 }
 
 }  // namespace
 
-void make_initial_mesh(MeshState& state, const SampledBoundary& samples, const InitialMeshOptions& options,
-                       RunControl& control) {
+std::vector<Carrier> make_initial_mesh(MeshState& state, const SampledBoundary& samples,
+                                       const InitialMeshOptions& options, RunControl& control) {
   CGAL::set_error_behaviour(CGAL::THROW_EXCEPTION);  // a failed assertion would end the process otherwise
   CGAL::set_error_handler(ignore_failure);
   // A mesh too coarse for a detail of the shape loses or folds it; a finer one may not.
   constexpr int kAttempts = 3;
   const WallThickness walls(samples);
   InitialMeshOptions attempt = options;
-  for (int left = kAttempts; left > 0; --left) {
+  for (int left = kAttempts;; --left) {
     control.check();
     try {
-      mesh_once(state, samples, walls, attempt, control);
-      return;
+      return mesh_once(state, samples, walls, attempt, control);
     } catch (const GeometryError&) {
       if (left == 1) throw;
     }

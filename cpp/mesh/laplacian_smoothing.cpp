@@ -43,7 +43,7 @@ void laplacian_sweep(MeshState& state, const TetScore& shape, double floor, RunC
   for (int v = 0; v < state.complex.vertex_slots(); ++v) {
     if (v % 512 == 0) control.check();
     const Vertex& vertex = state.vertices[v];
-    if (vertex.frozen || vertex.carrier.dimension == 0 || state.complex.tet_at(v) < 0) continue;
+    if (vertex.frozen || vertex.is_fixed() || state.complex.tet_at(v) < 0) continue;
     state.complex.star(v, star);
     const std::vector<int> neighbours = holding_neighbours(state, v, star);
     if (neighbours.empty()) continue;

@@ -120,7 +120,7 @@ Vertex MeshState::carried(const Vertex& vertex, const Vec3& target, bool near) c
 }
 
 std::optional<Vertex> MeshState::moved(const Vertex& vertex, const Vec3& target) const {
-  if (vertex.carrier.dimension == 0) return vertex;
+  if (vertex.is_fixed()) return vertex;
   Vertex result = carried(vertex, target);
   if (is_at_border(result, target) || !evaluate(result)) return std::nullopt;
   return result;

@@ -35,6 +35,12 @@ struct Vertex {
   double size = 0.0;                  ///< mu, mm: see SizingField
   bool frozen = false;                ///< M-vertex: the geometry-oriented refinement leaves it in place
 
+  bool junction =
+      false;  ///< where edges of the shape meet that do not in the shape, since what parted them is bridged
+
+  /// A vertex of the shape, or like one: moved it would take edges off their curves.
+  bool is_fixed() const { return carrier.dimension == 0 || junction; }
+
   /// f in a material that the vertex has.
   double value_in(int asked) const;
   const Vec3& gradient_in(int asked) const;

@@ -119,7 +119,7 @@ void odt_sweep(MeshState& state, double damping, RunControl& control) {
   for (int v = 0; v < state.complex.vertex_slots(); ++v) {
     if (v % 512 == 0) control.check();
     const Vertex& vertex = state.vertices[v];
-    if (state.complex.tet_at(v) < 0 || vertex.frozen || vertex.carrier.dimension == 0) continue;
+    if (state.complex.tet_at(v) < 0 || vertex.frozen || vertex.is_fixed()) continue;
     state.complex.star(v, star);
     const Vec3 way = damping * (odt_target(state, v, star) - vertex.position);
     const double least = std::min(kFlat, flatness(state, v, vertex.position, star));

@@ -84,7 +84,7 @@ double SurfaceMesh::volume() const {
   return sum;
 }
 
-int SurfaceMesh::split(int a, int b) {
+int SurfaceMesh::split(int a, int b, const Vec3& target) {
   std::vector<int> around;
   at_edge(a, b, around);
   const int edge = crease(a, b);
@@ -92,11 +92,10 @@ int SurfaceMesh::split(int a, int b) {
   Vertex middle;
   middle.carrier = edge ? Carrier{1, edge} : Carrier{2, triangles[around.front()].face};
   middle.size = 0.5 * (vertices[a].size + vertices[b].size);
-  const Vec3 half_way = 0.5 * (position(a) + position(b));
-  middle = state_.carried(middle, half_way, false);
+  middle = state_.carried(middle, target, false);
   constexpr double kFarthest = 0.4;  // of the edge's length
   const double length = (position(a) - position(b)).norm();
-  if ((middle.position - half_way).norm() > kFarthest * length || is_at_border(middle, half_way)) return -1;
+  if ((middle.position - target).norm() > kFarthest * length || is_at_border(middle, target)) return -1;
   // In a triangle that is flat at its apex the middle would lie upon the apex; needles can be split.
   if (!edge && std::any_of(around.begin(), around.end(), [&](int t) {
         return (position(triangles[t].apex(a, b)) - middle.position).norm() < kFlat * length;
@@ -139,34 +138,70 @@ bool SurfaceMesh::faces_out(const std::array<int, 3>& v, int face, double slende
          faces_outward(state_, vertices[v[0]], vertices[v[1]], vertices[v[2]], face);
 }
 
+SurfaceMesh::Neighbours SurfaceMesh::neighbours(int v, int w) const {
+  Neighbours found;
+  std::vector<int> others;
+  for (const auto& [vertex, list] : {std::pair(v, &found.own), std::pair(w, &others)}) {
+    for (int t : at_[vertex])
+      for (int p : triangles[t].vertex)
+        if (p != v && p != w) list->push_back(p);
+    std::sort(list->begin(), list->end());
+    list->erase(std::unique(list->begin(), list->end()), list->end());
+  }
+  std::set_intersection(found.own.begin(), found.own.end(), others.begin(), others.end(),
+                        std::back_inserter(found.both));
+  // Who is a neighbour of both must be the apex of a triangle at the edge, or the surface would be pinched.
+  std::vector<int> around;
+  at_edge(v, w, around);
+  found.closed = around.size() >= 2 && found.both.size() == around.size();
+  return found;
+}
+
+void SurfaceMesh::replace(int v, int w) {
+  for (int t : std::vector<int>(at_[v])) {
+    SurfaceTriangle moved = triangles[t];
+    remove(t);
+    if (moved.has(w)) continue;
+    std::replace(moved.vertex.begin(), moved.vertex.end(), v, w);
+    add(moved);
+  }
+}
+
+bool SurfaceMesh::merge(int v, int w) {
+  const auto [own, both, closed] = neighbours(v, w);
+  if (!closed) return false;
+  // Two triangles on the same three vertices would be left.
+  std::vector<int> around;
+  for (int p : both) {
+    at_edge(v, p, around);
+    for (int t : around)
+      for (int u : at_[w])
+        if (!triangles[t].has(w) && triangles[u].has(p) && triangles[u].has(triangles[t].apex(v, p)))
+          return false;
+  }
+  creases_.erase(key(v, w));
+  for (int p : own) {
+    const int edge = crease(v, p);
+    if (!edge) continue;
+    creases_.erase(key(v, p));
+    if (!crease(w, p)) creases_[key(w, p)] = edge;
+  }
+  replace(v, w);
+  return true;
+}
+
 bool SurfaceMesh::collapse(int v, int w, double chord, double longest) {
   const int dimension = vertices[v].carrier.dimension;
   const int edge = crease(v, w);
   if (dimension == 0 || (dimension == 1 && edge != vertices[v].carrier.number)) return false;
-  std::vector<int> around;
-  at_edge(v, w, around);
-  if (around.size() < 2) return false;
-
-  // Who is a neighbour of both must be the apex of a triangle at the edge, or the surface would be pinched.
-  std::vector<int> own, others, shared;
-  for (int t : at_[v])
-    for (int p : triangles[t].vertex)
-      if (p != v && p != w) own.push_back(p);
-  for (int t : at_[w])
-    for (int p : triangles[t].vertex)
-      if (p != v && p != w) others.push_back(p);
-  for (std::vector<int>* list : {&own, &others}) {
-    std::sort(list->begin(), list->end());
-    list->erase(std::unique(list->begin(), list->end()), list->end());
-  }
-  std::set_intersection(own.begin(), own.end(), others.begin(), others.end(), std::back_inserter(shared));
-  if (shared.size() != around.size()) return false;
+  const auto [own, both, closed] = neighbours(v, w);
+  if (!closed) return false;
   // A crease of three edges is the least that bounds anything.
   int beyond = -1;
   if (dimension == 1) {
     for (int p : own)
       if (crease(v, p) == edge) beyond = p;
-    if (beyond < 0 || std::binary_search(shared.begin(), shared.end(), beyond)) return false;
+    if (beyond < 0 || std::binary_search(both.begin(), both.end(), beyond)) return false;
     if (crease_error(state_, vertices[beyond], vertices[w], edge) >
         std::min(chord, kLargestChordError * (position(beyond) - position(w)).norm()))
       return false;
@@ -190,13 +225,7 @@ bool SurfaceMesh::collapse(int v, int w, double chord, double longest) {
         return false;
     }
   }
-  for (int t : std::vector<int>(at_[v])) {
-    SurfaceTriangle moved = triangles[t];
-    remove(t);
-    if (moved.has(w)) continue;
-    std::replace(moved.vertex.begin(), moved.vertex.end(), v, w);
-    add(moved);
-  }
+  replace(v, w);
   creases_.erase(key(v, w));
   if (beyond >= 0) {
     creases_.erase(key(v, beyond));
@@ -225,7 +254,7 @@ bool SurfaceMesh::flip(int a, int b, double chord) {
       std::max(std::min(chord, kLargestChordError * (position(c) - position(d)).norm()), error(a, b));
   // One must go whatever the errors; but then the new edge is between old ones, and hardly farther off.
   if (std::min(slenderness(first.vertex), slenderness(second.vertex)) <= kSlender)
-    allowed = std::max({allowed, error(a, c), error(c, b), error(b, d), error(d, a)});
+    allowed = std::max(allowed, 1.25 * std::max({error(a, c), error(c, b), error(b, d), error(d, a)}));
   if (error(c, d) > allowed) return false;
   std::array<int, 3> made_first = first.vertex, made_second = second.vertex;
   std::replace(made_first.begin(), made_first.end(), b, d);    // (a, b, c) -> (a, d, c)

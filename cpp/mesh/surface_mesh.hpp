@@ -56,9 +56,10 @@ class SurfaceMesh {
   /// A vertex that no triangle has yet.
   int add_vertex(const Vertex& vertex);
 
-  /// Splits an edge by a new vertex on the true boundary. Returns the vertex; -1, and nothing is changed,
-  /// where the edge runs beside its face.
-  int split(int a, int b);
+  /// Splits an edge by a new vertex on the true boundary, nearest to the middle of the edge or to `target`.
+  /// Returns the vertex; -1, and nothing is changed, where the edge runs beside its face.
+  int split(int a, int b) { return split(a, b, 0.5 * (position(a) + position(b))); }
+  int split(int a, int b, const Vec3& target);
 
   /// Splits a triangle at a vertex of other triangles that lies upon it: the surfaces meet at that point.
   void meet(int t, int v);
@@ -67,11 +68,24 @@ class SurfaceMesh {
   /// farther than `chord` from its face, none longer than `longest`. Returns whether it did.
   bool collapse(int v, int w, double chord, double longest);
 
+  /// The same with two vertices of whatever edges and faces: these lose the edges and triangles between the
+  /// two, and the surface keeps its holes and handles. Nothing is asked of the triangles made.
+  bool merge(int v, int w);
+
   /// Exchanges the edge (a, b) inside a face for the other diagonal, if the angles opposite ask for it
   /// (Delaunay) and the surface allows it. Returns whether it did.
   bool flip(int a, int b, double chord);
 
  private:
+  /// What surrounds two neighbours that are to become one.
+  struct Neighbours {
+    std::vector<int> own;   ///< neighbours of the first, ascending
+    std::vector<int> both;  ///< of both, ascending
+    bool closed = true;     ///< one surface without a pinch is left
+  };
+  Neighbours neighbours(int v, int w) const;
+  /// Puts w in the place of v in all triangles.
+  void replace(int v, int w);
   static std::uint64_t key(int a, int b) {
     if (a > b) std::swap(a, b);
     return (static_cast<std::uint64_t>(a) << 32) | static_cast<std::uint32_t>(b);

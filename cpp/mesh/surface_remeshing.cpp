@@ -109,7 +109,7 @@ int collapse_short_edges(SurfaceMesh& mesh, const SurfaceRemeshingOptions& optio
   int count = 0;
   for (int v = 0; v < static_cast<int>(mesh.vertices.size()); ++v) {
     if (v % kPoll == 0) control.check();
-    if (mesh.at(v).empty() || mesh.vertices[v].carrier.dimension == 0) continue;
+    if (mesh.at(v).empty() || mesh.vertices[v].is_fixed()) continue;
     std::vector<std::pair<double, int>> near;
     for (int t : mesh.at(v))
       for (int w : mesh.triangles[t].vertex) {

@@ -64,7 +64,7 @@ int relax_threshold(MeshState& state, double aim, RunControl& control) {
   for (int v = 0; v < state.complex.vertex_slots(); ++v) {
     if (v % 512 == 0) control.check();
     const Vertex& vertex = state.vertices[v];
-    if (requests[v].count == 0 || state.complex.tet_at(v) < 0 || vertex.carrier.dimension == 0) continue;
+    if (requests[v].count == 0 || state.complex.tet_at(v) < 0 || vertex.is_fixed()) continue;
     state.complex.star(v, star);
     const StarState before = star_state(state, v, vertex, star);
     const Vec3 way = requests[v].way / requests[v].count;

@@ -54,7 +54,7 @@ double WorstFirst::star_score(int v, const Vertex& moved, double stop_below) con
 }
 
 bool WorstFirst::improve_vertex(int v) {
-  if (state_.vertices[v].frozen || state_.vertices[v].carrier.dimension == 0) return false;
+  if (state_.vertices[v].frozen || state_.vertices[v].is_fixed()) return false;
   state_.complex.star(v, star_);
   double best = 1.0, length = 0.0;
   int worst_tet = -1, edges = 0;
@@ -93,9 +93,10 @@ bool WorstFirst::improve_vertex(int v) {
     for (const Vec3& way : ways) {
       if (!way.allFinite()) continue;
       const std::optional<Vertex> moved = state_.moved(state_.vertices[v], state_.position(v) + way);
-      if (!moved || !keeps_surface(state_, v, *moved, star_)) continue;
+      if (!moved) continue;
+      // The true surface is slow to ask.
       const double score = star_score(v, *moved, best);
-      if (score <= best + 1e-6 * std::abs(best)) continue;
+      if (score <= best + 1e-6 * std::abs(best) || !keeps_surface(state_, v, *moved, star_)) continue;
       const double size = state_.vertices[v].size;
       state_.vertices[v] = *moved;
       state_.vertices[v].size = size;

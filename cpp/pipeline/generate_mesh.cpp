@@ -110,11 +110,43 @@ double gradient_cubed(const TetMesh& mesh, const SolidMaterials& materials) {
   return sum;
 }
 
+/// Which parts of the shape have no elements since they were bridged, and what may be done.
+std::string describe_bridged(const TetMesh& mesh, std::vector<Carrier> bridged, const MeshingOptions& options,
+                             const PartName& name) {
+  constexpr int kMostNames = 6;
+  std::sort(bridged.begin(), bridged.end(), [](const Carrier& a, const Carrier& b) {
+    return std::pair(-a.dimension, a.number) < std::pair(-b.dimension, b.number);
+  });
+  std::string names;
+  int count = 0;
+  for (const Carrier& part : bridged) {
+    const auto is_part = [&](const Carrier& carrier) {
+      return carrier.dimension == part.dimension && carrier.number == part.number;
+    };
+    const auto has = [&](const std::vector<std::int32_t>& numbers) {
+      return std::find(numbers.begin(), numbers.end(), part.number) != numbers.end();
+    };
+    if (part.dimension == 0   ? std::any_of(mesh.carriers.begin(), mesh.carriers.end(), is_part)
+        : part.dimension == 1 ? has(mesh.edge_edges)
+                              : has(mesh.triangle_faces))
+      continue;
+    if (++count <= kMostNames) names += (count > 1 ? ", " : "") + name(part);
+  }
+  if (count == 0) return {};
+  std::ostringstream text;
+  text << names << (count > kMostNames ? " and others" : "") << (count > 1 ? " are" : " is")
+       << " smaller than MinSize, now " << options.min_size << " mm, and bridged: no element is there";
+  return text.str();
+}
+
 void finish(MeshingResult& result, const BrepModel& model, const SampledBoundary& samples,
-            const SolidMaterials& materials, const MeshingOptions& options) {
+            const std::vector<Carrier>& bridged, const SolidMaterials& materials,
+            const MeshingOptions& options) {
   const auto name = [&](const Carrier& part) { return given_name(part, model.origins()); };
-  if (const std::string lost = find_difference(result.mesh, samples, name); !lost.empty())
+  if (const std::string lost = find_difference(result.mesh, samples, bridged, name); !lost.empty())
     throw GeometryError("the mesh is not the shape: " + lost + "; lower MaxSize");
+  if (const std::string told = describe_bridged(result.mesh, bridged, options, name); !told.empty())
+    result.messages.push_back(told);
   result.dihedral_min = smallest_dihedrals(result.mesh);
   if (!result.above_threshold.empty() && options.stop_after != "initial") {
     result.status = "threshold_not_met";
@@ -193,8 +225,11 @@ MeshingResult generate_mesh(const std::string& shape, const std::vector<const Sc
   result.messages = model.notes();
   MeshState state(model, materials_of(given, model, samples), options.material_threshold, diagonal);
   state.chord_limit = kInitialDeviation * options.max_size;
+  std::vector<Carrier> bridged;
   NodeFractions fractions = run_stage("initial", state, result, control, [&] {
-    make_initial_mesh(state, samples, {options.max_size, state.chord_limit, options.min_size}, control);
+    const double narrowest = 0.9 * std::min(options.min_size, options.surface_deviation);
+    bridged = make_initial_mesh(state, samples,
+                                {options.max_size, state.chord_limit, options.min_size, narrowest}, control);
   });
   if (options.stop_after != "initial") {
     fractions = run_stage("material", state, result, control, [&] {
@@ -215,7 +250,7 @@ MeshingResult generate_mesh(const std::string& shape, const std::vector<const Sc
   }
   if (options.order == 2) raise_order(state, fractions, result, control);
   if (state.materials().count() > 1) put_tet_fractions(fractions, result);
-  finish(result, model, samples, state.materials(), options);
+  finish(result, model, samples, bridged, state.materials(), options);
   put_volumes(model, result);
   use_given_numbers(result, model.origins());
   return result;

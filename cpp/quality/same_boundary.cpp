@@ -73,12 +73,18 @@ std::string told(const std::string& name, const Pieces& found, const Pieces& exp
 
 }  // namespace
 
-std::string find_difference(const TetMesh& mesh, const SampledBoundary& samples, const PartName& name) {
+std::string find_difference(const TetMesh& mesh, const SampledBoundary& samples,
+                            const std::vector<Carrier>& bridged, const PartName& name) {
+  const auto is_bridged = [&](int dimension, int number) {
+    return std::any_of(bridged.begin(), bridged.end(), [&](const Carrier& part) {
+      return part.dimension == dimension && part.number == number;
+    });
+  };
   const std::vector<Pieces> found = pieces_of_faces(mesh.triangles, mesh.triangle_faces, samples.face_count),
                             expected =
                                 pieces_of_faces(samples.triangles, samples.triangle_face, samples.face_count);
   for (int face = 1; face <= samples.face_count; ++face)
-    if (!(found[face - 1] == expected[face - 1]))
+    if (!(found[face - 1] == expected[face - 1]) && !is_bridged(2, face))
       return told(name({2, face}), found[face - 1], expected[face - 1]);
 
   std::vector<std::array<int, 3>> segments;  // EdgeN and its ends
@@ -93,7 +99,8 @@ std::string find_difference(const TetMesh& mesh, const SampledBoundary& samples,
     for (std::size_t i = 1; i < curve.points.size(); ++i)
       sampled.push_back({curve.points[i - 1], curve.points[i]});
     const Pieces in_mesh = pieces_of(own, 0), in_shape = pieces_of(sampled, 0);
-    if (!(in_mesh == in_shape)) return told(name({1, curve.edge}), in_mesh, in_shape);
+    if (!(in_mesh == in_shape) && !is_bridged(1, curve.edge))
+      return told(name({1, curve.edge}), in_mesh, in_shape);
   }
   return {};
 }

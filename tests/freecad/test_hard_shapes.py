@@ -183,3 +183,52 @@ def distance_to_faces(result, shape):
         shape.Faces[number - 1].distToShape(Part.Vertex(FreeCAD.Vector(*corner)))[0]
         for number, corner in zip(result.triangle_faces[some].tolist(), corners.tolist())
     )
+
+
+def stepped_box(height):
+    low = Part.makeBox(10, 10, 5)
+    return low.fuse(Part.makeBox(5, 10, 5 + height)).removeSplitter()
+
+
+def filleted_box(radius):
+    box = Part.makeBox(20, 20, 20)
+    return box.makeFillet(radius, [box.Edges[0], box.Edges[2]])
+
+
+def meshed(shape, core, **options):
+    result = core.generate_mesh(
+        shape.exportBrepToString(), core.Material(["0.5"]), core.MeshingOptions(**options)
+    )
+    assert result.status == "ok", result.messages
+    assert result.deviation_max <= result.surface_deviation
+    assert euler_characteristic(result.triangles) == 2
+    return result
+
+
+@pytest.mark.parametrize("make, lost", [(stepped_box, 1), (filleted_box, 2)])
+def test_features_below_min_size_are_bridged(make, lost, core):
+    shape, plain = make(0.002), Part.makeBox(10, 10, 5)
+    result = meshed(shape, core)
+    missing = set(range(1, len(shape.Faces) + 1)) - set(result.triangle_faces)
+    assert len(missing) == lost
+    (message,) = result.messages
+    assert "smaller than MinSize" in message and "bridged" in message and f"Face{min(missing)}" in message
+    assert result.volume == pytest.approx(shape.Volume, rel=1e-3)
+    assert result.dihedral_min.min() >= 10
+    assert len(result.tets) < 2 * len(meshed(plain, core).tets)
+
+
+def test_features_above_min_size_are_kept(core):
+    shape = stepped_box(0.002)
+    result = meshed(shape, core, min_size=0.001, max_size=5)
+    assert set(result.triangle_faces) == set(range(1, len(shape.Faces) + 1))
+    assert not any("bridged" in message for message in result.messages)
+    assert result.volume == pytest.approx(shape.Volume, rel=1e-9)
+
+
+@pytest.mark.parametrize("thickness", [0.05, 0.005])
+def test_thin_walls_are_no_features_to_bridge(thickness, core):
+    shape = Part.makeBox(10, 10, thickness)
+    result = core.generate_mesh(shape.exportBrepToString(), core.Material(["0.5"]))
+    assert result.volume == pytest.approx(shape.Volume, rel=1e-9)
+    assert set(result.triangle_faces) == set(range(1, 7))
