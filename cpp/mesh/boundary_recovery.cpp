@@ -127,17 +127,22 @@ class Recovery {
 
   void run() {
     add_box();
-    constexpr int kMostRounds = 30;
+    constexpr int kMostRounds = 30, kLargestGrowth = 20;
+    std::size_t most = 0, left = 0;  // triangles; edges or triangles that were missing
     for (int round = 0; round < kMostRounds; ++round) {
       control_.check();
       rebuild();
+      const std::size_t triangles = triangles_.size();
+      if (round == 0) most = kLargestGrowth * triangles;
       std::vector<Edge> missing = missing_edges();
       if (missing.empty()) missing = missing_triangles();
       if (missing.empty()) {
         keep_solids();
         return;
       }
-      if (round + 1 == kMostRounds) refuse(missing.front());
+      const bool diverges = triangles > most && missing.size() > left;
+      if (round + 1 == kMostRounds || diverges) refuse(missing.front());
+      left = missing.size();
       for (const auto& [a, b] : missing)
         if (surface_.split(a, b) < 0) split_beside(a, b);
       make_surface_delaunay(surface_, control_);

@@ -53,6 +53,20 @@ double WorstFirst::star_score(int v, const Vertex& moved, double stop_below) con
   return worst;
 }
 
+/// Whether the worst score around a boundary vertex would rise if its face or edge were flat: the true one is
+/// slow to ask.
+bool WorstFirst::is_promising(int v, const Vec3& way, double best) const {
+  Vertex moved = state_.vertices[v];
+  const Vec3& direction = moved.direction;
+  if (moved.carrier.dimension == 3 || direction.isZero()) return true;
+  const Vec3 along = direction.dot(way) * direction;
+  const Vec3 step = moved.carrier.dimension == 1 ? along : Vec3(way - along);
+  moved.position += step;
+  moved.value += moved.gradient.dot(step);
+  for (MaterialValue& other : moved.others) other.value += other.gradient.dot(step);
+  return star_score(v, moved, best) > best;
+}
+
 bool WorstFirst::improve_vertex(int v) {
   if (state_.vertices[v].frozen || state_.vertices[v].is_fixed()) return false;
   state_.complex.star(v, star_);
@@ -91,7 +105,7 @@ bool WorstFirst::improve_vertex(int v) {
                                       random_direction() * step,
                                       random_direction() * step};
     for (const Vec3& way : ways) {
-      if (!way.allFinite()) continue;
+      if (!way.allFinite() || !is_promising(v, way, best)) continue;
       const std::optional<Vertex> moved = state_.moved(state_.vertices[v], state_.position(v) + way);
       if (!moved) continue;
       // The true surface is slow to ask.

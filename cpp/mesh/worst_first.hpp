@@ -32,6 +32,7 @@ class WorstFirst {
   bool mend(int t, Swapper& swapper);
   bool insert_vertex(int t);
   Vec3 random_direction();
+  bool is_promising(int v, const Vec3& way, double best) const;
   double star_score(int v, const Vertex& moved, double stop_below) const;
 
   MeshState& state_;

@@ -186,7 +186,8 @@ TEST(SecondOrderVolume, ConvergesWithTheFourthPowerOfTheSizeWhereThatOfStraightM
     const auto [fine_straight, fine_curved] = volume_errors(*solid, 0.04);
     EXPECT_LT(coarse_curved, coarse_straight / 20.0);
     EXPECT_LT(fine_straight, coarse_straight / 3.0);
-    EXPECT_GT(std::log(coarse_curved / fine_curved) / std::log(coarse_straight / fine_straight), 1.9);
+    // Twice the power, within a tenth: the two meshes differ by more than their size.
+    EXPECT_NEAR(std::log(coarse_curved / fine_curved) / std::log(coarse_straight / fine_straight), 2.0, 0.2);
   }
 }
 
