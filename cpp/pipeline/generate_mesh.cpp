@@ -179,10 +179,12 @@ void finish(MeshingResult& result, const BrepModel& model, const SampledBoundary
   result.peak_memory_mb = peak_memory_mb();
 }
 
-/// Lowers the deviation until the volumes are right, as the default is to. Returns it.
+/// Lowers the deviation until the volumes are right, as the default is to. Returns it; or that which was
+/// given, where they are although MinSize is in the way of so small a deviation.
 double refine_to_volume(MeshState& state, GeometryRefinementOptions refinement, const BrepModel& model,
                         RunControl& control) {
   constexpr double kAim = 0.8, kSmallestStep = 0.8;
+  const double given = refinement.deviation;
   const double least = kLeastDeviation * state.diagonal();
   while (refinement.deviation > least) {
     const double error = largest_volume_error(state.to_tet_mesh(), model);
@@ -191,6 +193,11 @@ double refine_to_volume(MeshState& state, GeometryRefinementOptions refinement, 
         std::max(least, refinement.deviation * std::min(kSmallestStep, kAim * kVolumeGoal / error));
     refine_geometry(state, refinement, control);
   }
+  if (largest_volume_error(state.to_tet_mesh(), model) > kVolumeGoal) return refinement.deviation;
+  const TetComplex& complex = state.complex;
+  for (int t = 0; t < complex.slots(); ++t)
+    for (int face = 0; face < 4 && complex.tet(t).alive(); ++face)
+      if (complex.tet(t).label[face] && facet_deviation(state, t, face) > refinement.deviation) return given;
   return refinement.deviation;
 }
 

@@ -36,6 +36,11 @@ def cone():
     return Part.makeCone(5, 0, 12)
 
 
+def needle():
+    """A cone whose tip is too sharp for samples to hold its volume as well as those of other parts."""
+    return Part.makeCone(0.5, 0, 20)
+
+
 def ball_in_a_box():
     return Part.makeBox(20, 20, 20).cut(Part.makeSphere(6, Vector(10, 10, 10)))
 
@@ -125,6 +130,7 @@ VOLUMES = {
     ball: 4000 / 3 * math.pi,
     torus: 2 * math.pi**2 * 10 * 3**2,
     cone: 100 * math.pi,
+    needle: 5 / 3 * math.pi,
     ball_in_a_box: 8000 - 288 * math.pi,
     knife: 250 * math.tan(math.radians(8)),
     thin_tube: 20 * math.pi * (10**2 - 9.8**2),
