@@ -11,20 +11,9 @@
 #include <limits>
 
 #include "brep/occt.hpp"
+#include "brep/smoothness.hpp"
 
 namespace fgmesh::brep {
-namespace {
-
-bool tangents_agree(const Geom_Curve& curve, double first, double last) {
-  constexpr double kSmooth = 0.05;  // radians
-  gp_Pnt position;
-  gp_Vec start, end;
-  curve.D1(first, position, start);
-  curve.D1(last, position, end);
-  return start.Magnitude() > 0.0 && end.Magnitude() > 0.0 && start.Angle(end) <= kSmooth;
-}
-
-}  // namespace
 
 EdgeProjector::EdgeProjector(const TopoDS_Edge& edge, std::vector<double> parameters)
     : curve_(BRep_Tool::Curve(edge, first_, last_)), parameters_(std::move(parameters)) {

@@ -118,8 +118,9 @@ int face_at_gap(const SampledBoundary& boundary, int solid) {
   return 0;
 }
 
-/// Of volume, as part of it. More than is needed where a triangle is lost; flat tips and rims, where volume
-/// is little for their area, need the second.
+// Parts of the volume. A lost triangle costs more than the first; at flat tips and rims, where there is
+// little volume for the area, sound samples do, too, and the second is borne where no attempt keeps the
+// first.
 constexpr double allowed_loss = 0.002, bearable_loss = 0.02;
 
 /// Empty where the samples bound every solid as its true faces do, but for a loss of volume; else what is

@@ -48,6 +48,14 @@ bool normals_agree(const Geom_Surface& surface, const gp_Pnt2d& a, const gp_Pnt2
   return angle_between(surface_normal(surface, a), surface_normal(surface, b)) <= smooth_angle;
 }
 
+bool tangents_agree(const Geom_Curve& curve, double first, double last) {
+  gp_Pnt position;
+  gp_Vec start, end;
+  curve.D1(first, position, start);
+  curve.D1(last, position, end);
+  return start.Magnitude() > 0.0 && end.Magnitude() > 0.0 && start.Angle(end) <= smooth_angle;
+}
+
 bool is_crease(const Topology& topology, int edge) {
   const EdgeUse& use = topology.edge_use(edge);
   if (use.count == 0 || use.degenerate) return false;

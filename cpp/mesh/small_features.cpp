@@ -155,9 +155,7 @@ class Bridging {
 
   SurfaceMesh& mesh_;
   double size_;
-  std::set<std::pair<int, int>>
-      wide_;                   // edges and faces, by dimension and number, that are no small features
-  std::vector<double> drawn_;  // how far what has become a vertex was from it
+  std::vector<double> drawn_;              // how far what has become a vertex was from it
   std::set<std::pair<int, int>> touched_;  // dimension and number
 };
 

@@ -252,9 +252,12 @@ bool SurfaceMesh::flip(int a, int b, double chord) {
   const auto error = [&](int p, int q) { return chord_error(state_, vertices[p], vertices[q], first.face); };
   double allowed =
       std::max(std::min(chord, kLargestChordError * (position(c) - position(d)).norm()), error(a, b));
-  // One must go whatever the errors; but then the new edge is between old ones, and hardly farther off.
+  // Slivers must go even where the error rises; but unbounded, a chain of flips leads straight through a
+  // bore.
+  constexpr double kFartherThanOld = 1.25;
   if (std::min(slenderness(first.vertex), slenderness(second.vertex)) <= kSlender)
-    allowed = std::max(allowed, 1.25 * std::max({error(a, c), error(c, b), error(b, d), error(d, a)}));
+    allowed =
+        std::max(allowed, kFartherThanOld * std::max({error(a, c), error(c, b), error(b, d), error(d, a)}));
   if (error(c, d) > allowed) return false;
   std::array<int, 3> made_first = first.vertex, made_second = second.vertex;
   std::replace(made_first.begin(), made_first.end(), b, d);    // (a, b, c) -> (a, d, c)

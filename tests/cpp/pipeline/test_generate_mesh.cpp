@@ -11,6 +11,7 @@
 #include "material/material.hpp"
 #include "occt_shapes.hpp"
 #include "pipeline/generate_mesh.hpp"
+#include "pipeline/volumes.hpp"
 #include "quality/validity.hpp"
 
 namespace fgmesh {
@@ -137,6 +138,18 @@ TEST(GenerateMesh, OfSecondOrderRefusesAMaterialThatLeavesItsRangeInTheMiddleOfA
   } catch (const InvalidInput& error) {
     EXPECT_NE(std::string(error.what()).find("outside [0, 1]"), std::string::npos) << error.what();
   }
+}
+
+TEST(ExplainedVolumes, AreNotThoseOfAMeshThatLostAPart) {
+  const std::string shape = test::cylinder_text(5, 10);
+  RunControl control;
+  BrepModel model = BrepModel::from_text(shape, control);
+  model.sample({}, control);
+  MeshingResult result = meshed(shape, "0.5", with(0.5));
+  EXPECT_NO_THROW(require_explained_volumes(result, facet_deviations(result, model), model));
+  const std::size_t lost = result.mesh.tets.size() / 20;
+  result.mesh.tets.resize(result.mesh.tets.size() - lost);
+  EXPECT_THROW(require_explained_volumes(result, facet_deviations(result, model), model), GeometryError);
 }
 
 TEST(GenerateMesh, StopsAfterTheStageAskedFor) {
