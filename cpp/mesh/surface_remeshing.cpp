@@ -220,7 +220,7 @@ double error_across(const SurfaceMesh& mesh, int a, int b, int face, const Vec3&
 /// longer than the wall is thick, tetrahedra are flat. Returns whether it lowered any.
 bool refine_walls(SurfaceMesh& mesh, const WallThickness& walls, const SurfaceRemeshingOptions& options,
                   RunControl& control) {
-  constexpr double kLargestError = 0.25, kAim = 0.15, kLongest = 8.0;  // of the thickness
+  constexpr double kLargestError = 0.25, kAim = 0.15, kLongest = 4.5;  // of the thickness
   constexpr double kLargestStep = 0.4;  // of sizes, so that a wrong thickness does no great harm
   bool lowered = false;
   const auto lower = [&](int v, double size) {

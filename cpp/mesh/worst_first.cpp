@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/worst_first.hpp"
 
+#include <boost/container_hash/hash.hpp>
+
 #include "mesh/edge_collapse.hpp"
 #include "mesh/edge_split.hpp"
 #include "mesh/odt_smoothing.hpp"
@@ -159,6 +161,23 @@ bool WorstFirst::mend(int t, Swapper& swapper) {
   return (may_insert_ && insert_vertex(t)) || any;
 }
 
+/// A hash of the vertices of a tetrahedron and its neighbours and of their places: where it is the same as
+/// before, mending it will fail as before.
+std::size_t WorstFirst::surroundings(int t) const {
+  std::size_t hash = 0;
+  const auto add = [&](const Tet& tet) {
+    for (int v : tet.vertex) {
+      boost::hash_combine(hash, v);
+      for (double x : state_.position(v)) boost::hash_combine(hash, x);
+    }
+  };
+  const Tet& tet = state_.complex.tet(t);
+  add(tet);
+  for (int other : tet.neighbour)
+    if (other >= 0) add(state_.complex.tet(other));
+  return hash;
+}
+
 int WorstFirst::run(int rounds, RunControl& control) {
   const WorstScore objective(score_);
   Swapper swapper(state_, objective);
@@ -170,7 +189,13 @@ int WorstFirst::run(int rounds, RunControl& control) {
       if (++polls % 64 == 0) control.check();
       // Earlier changes may have mended it, or put another tetrahedron into its slot: both are told by its
       // score.
-      if (state_.complex.tet(t).alive() && score_(t) < 1.0) any |= mend(t, swapper);
+      if (!state_.complex.tet(t).alive() || score_(t) >= 1.0) continue;
+      const std::size_t before = surroundings(t);
+      if (hopeless_.count(before)) continue;
+      if (mend(t, swapper))
+        any = true;
+      else
+        hopeless_.insert(before);
     }
     const std::size_t before = bad.size();
     bad = bad_tets();

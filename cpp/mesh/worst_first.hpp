@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <unordered_set>
 
 #include "core/run_control.hpp"
 #include "mesh/swap.hpp"
@@ -20,7 +21,10 @@ class WorstFirst {
 
   /// Also puts a new vertex into a tetrahedron that neither swaps nor moves mend, where that raises the worst
   /// score around it.
-  void allow_insertion() { may_insert_ = true; }
+  void allow_insertion() {
+    may_insert_ = true;
+    hopeless_.clear();
+  }
 
   /// Looks for a better place of one vertex. Returns whether its star's worst score rose.
   bool improve_vertex(int v);
@@ -30,6 +34,7 @@ class WorstFirst {
 
  private:
   bool mend(int t, Swapper& swapper);
+  std::size_t surroundings(int t) const;
   bool insert_vertex(int t);
   Vec3 random_direction();
   bool is_promising(int v, const Vec3& way, double best) const;
@@ -40,6 +45,7 @@ class WorstFirst {
   std::vector<int> star_;
   std::uint32_t random_ = 12345;
   bool may_insert_ = false;
+  std::unordered_set<std::size_t> hopeless_;  // surroundings of tetrahedra that could not be mended
 };
 
 }  // namespace fgmesh
