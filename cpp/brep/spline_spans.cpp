@@ -3,13 +3,10 @@
 
 #include <TColStd_Array1OfReal.hxx>
 #include <algorithm>
+#include <cmath>
 
 namespace fgmesh::brep {
 namespace {
-
-std::vector<double> inner_knots(const TColStd_Array1OfReal& knots) {
-  return {&knots(knots.Lower() + 1), &knots(knots.Upper())};
-}
 
 /// Middles of the spans between the knots.
 std::vector<double> middles(const TColStd_Array1OfReal& knots) {
@@ -18,14 +15,23 @@ std::vector<double> middles(const TColStd_Array1OfReal& knots) {
   return found;
 }
 
-std::size_t span(const std::vector<double>& inner_knots, double parameter) {
-  return std::upper_bound(inner_knots.begin(), inner_knots.end(), parameter) - inner_knots.begin();
-}
-
 }  // namespace
 
+SplineSpans::Direction::Direction(const TColStd_Array1OfReal& knots, bool is_periodic)
+    : inner(&knots(knots.Lower() + 1), &knots(knots.Upper())),
+      low(knots.First()),
+      high(knots.Last()),
+      periodic(is_periodic) {}
+
+std::size_t SplineSpans::Direction::span(double parameter) const {
+  // As OpenCASCADE does before it evaluates.
+  if (periodic && (parameter < low || parameter > high))
+    parameter -= (high - low) * std::floor((parameter - low) / (high - low));
+  return std::upper_bound(inner.begin(), inner.end(), parameter) - inner.begin();
+}
+
 SplineSpans::SplineSpans(const Geom_BSplineSurface& surface)
-    : u_knots_(inner_knots(surface.UKnots())), v_knots_(inner_knots(surface.VKnots())) {
+    : u_(surface.UKnots(), surface.IsUPeriodic()), v_(surface.VKnots(), surface.IsVPeriodic()) {
   const TColStd_Array1OfReal &u_flat = surface.UKnotSequence(), &v_flat = surface.VKnotSequence();
   for (const double u : middles(surface.UKnots())) {
     for (const double v : middles(surface.VKnots())) {
@@ -39,7 +45,7 @@ SplineSpans::SplineSpans(const Geom_BSplineSurface& surface)
 }
 
 const BSplSLib_Cache& SplineSpans::at(double u, double v) const {
-  return *spans_[span(u_knots_, u) * (v_knots_.size() + 1) + span(v_knots_, v)];
+  return *spans_[u_.span(u) * (v_.inner.size() + 1) + v_.span(v)];
 }
 
 }  // namespace fgmesh::brep

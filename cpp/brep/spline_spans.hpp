@@ -20,7 +20,16 @@ class SplineSpans {
   const BSplSLib_Cache& at(double u, double v) const;
 
  private:
-  std::vector<double> u_knots_, v_knots_;  ///< inner ones
+  struct Direction {
+    Direction() = default;
+    Direction(const TColStd_Array1OfReal& knots, bool is_periodic);
+    std::size_t span(double parameter) const;
+
+    std::vector<double> inner;  ///< knots but the first and the last
+    double low = 0.0, high = 0.0;
+    bool periodic = false;
+  };
+  Direction u_, v_;
   std::vector<Handle(BSplSLib_Cache)> spans_;
 };
 

@@ -101,6 +101,14 @@ int SurfaceMesh::split(int a, int b, const Vec3& target) {
         return (position(triangles[t].apex(a, b)) - middle.position).norm() < kFlat * length;
       }))
     return -1;
+  // Beside a bent edge a slender triangle would turn over.
+  const auto turns = [&](int t, int end) {
+    const auto at = [&](int v) { return v == end ? middle.position : position(v); };
+    const std::array<int, 3>& v = triangles[t].vertex;
+    return area_vector(at(v[0]), at(v[1]), at(v[2])).dot(normal(triangles[t])) < 0.0;
+  };
+  if (!edge && std::any_of(around.begin(), around.end(), [&](int t) { return turns(t, a) || turns(t, b); }))
+    return -1;
   const int v = add_vertex(middle);
   for (int t : around) {
     SurfaceTriangle first = triangles[t], second = triangles[t];
@@ -125,6 +133,11 @@ void SurfaceMesh::meet(int t, int v) {
     part.vertex[i] = v;
     add(part);
   }
+}
+
+Vec3 SurfaceMesh::normal(const SurfaceTriangle& triangle) const {
+  const std::array<int, 3>& v = triangle.vertex;
+  return area_vector(position(v[0]), position(v[1]), position(v[2]));
 }
 
 double SurfaceMesh::slenderness(const std::array<int, 3>& v) const {
@@ -246,7 +259,9 @@ bool SurfaceMesh::flip(int a, int b, double chord) {
     const Vec3 p = position(a) - position(apex), q = position(b) - position(apex);
     return std::atan2(p.cross(q).norm(), p.dot(q));
   };
-  if (angle(c) + angle(d) <= M_PI + 1e-6) return false;
+  // A triangle that the samples have turned over lies upon its neighbour; the other diagonal parts them.
+  const bool folded = normal(first).dot(normal(second)) < 0.0;
+  if (!folded && angle(c) + angle(d) <= M_PI + 1e-6) return false;
   at_edge(c, d, around);
   if (!around.empty()) return false;
   const auto error = [&](int p, int q) { return chord_error(state_, vertices[p], vertices[q], first.face); };
@@ -255,7 +270,7 @@ bool SurfaceMesh::flip(int a, int b, double chord) {
   // Slivers must go even where the error rises; but unbounded, a chain of flips leads straight through a
   // bore.
   constexpr double kFartherThanOld = 1.25;
-  if (std::min(slenderness(first.vertex), slenderness(second.vertex)) <= kSlender)
+  if (folded || std::min(slenderness(first.vertex), slenderness(second.vertex)) <= kSlender)
     allowed =
         std::max(allowed, kFartherThanOld * std::max({error(a, c), error(c, b), error(b, d), error(d, a)}));
   if (error(c, d) > allowed) return false;
