@@ -38,11 +38,23 @@ std::string named(const char* word, const std::vector<int>& numbers) {
   return numbers.size() > count ? text + ", ..." : text;
 }
 
-/// The solids whose boxes reach into that of another one.
-std::vector<int> neighbours(const Topology& topology) {
-  std::vector<Bnd_Box> boxes(topology.solid_count());
+/// Placements and exports leave solids a little apart that were made to touch, and no mesh could fill such a
+/// gap: what counts as touching, mm.
+double touching_distance(const Topology& topology) {
+  constexpr double kPart = 1e-7;  // of the diagonal
+  Bnd_Box bounds;
   for (int solid = 1; solid <= topology.solid_count(); ++solid)
+    BRepBndLib::Add(topology.solid(solid), bounds, Standard_False);
+  return kPart * std::sqrt(bounds.SquareExtent());
+}
+
+/// The solids whose boxes reach into that of another one.
+std::vector<int> neighbours(const Topology& topology, double touching) {
+  std::vector<Bnd_Box> boxes(topology.solid_count());
+  for (int solid = 1; solid <= topology.solid_count(); ++solid) {
     BRepBndLib::Add(topology.solid(solid), boxes[solid - 1], Standard_False);
+    boxes[solid - 1].Enlarge(0.5 * touching);
+  }
   std::vector<int> found;
   for (int solid = 1; solid <= topology.solid_count(); ++solid) {
     const bool near = std::count_if(boxes.begin(), boxes.end(),
@@ -104,10 +116,10 @@ TopTools_ListOfShape joined(const TopTools_ListOfShape& cells, RunControl& contr
 class Fragmenter {
  public:
   Fragmenter(const Topology& topology, const std::vector<double>& volumes, RunControl& control)
-      : topology_(topology), volumes_(volumes), control_(control) {}
+      : topology_(topology), volumes_(volumes), control_(control), touching_(touching_distance(topology)) {}
 
   std::optional<Fragments> run() {
-    fused_ = neighbours(topology_);
+    fused_ = neighbours(topology_, touching_);
     if (fused_.empty()) return std::nullopt;
     fuse();
     if (!has_changed()) return std::nullopt;
@@ -128,6 +140,7 @@ class Fragmenter {
 
   void fuse() {
     for (int solid : fused_) builder_.AddArgument(topology_.solid(solid));
+    builder_.SetFuzzyValue(touching_);
     builder_.SetNonDestructive(Standard_True);
     builder_.SetRunParallel(Standard_False);  // the same numbers in every run
     Handle(StopIndicator) indicator = new StopIndicator(control_);
@@ -263,6 +276,7 @@ class Fragmenter {
   const Topology& topology_;
   const std::vector<double>& volumes_;
   RunControl& control_;
+  const double touching_;
   BOPAlgo_Builder builder_;
   std::vector<int> fused_;
   std::vector<Cell> cells_;

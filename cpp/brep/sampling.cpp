@@ -190,10 +190,13 @@ int face_at_gap(const SampledBoundary& boundary, int solid) {
 /// Part of the volume; a lost triangle costs more.
 constexpr double allowed_loss = 0.002;
 
-/// Empty where the samples bound every solid as its true faces do; else what is wrong.
-std::string fault_of(const Sampling& sampling, const CheckedShape& shape) {
-  const SampledBoundary& boundary = sampling.boundary;
-  const std::vector<double> beyond = volumes_beyond(sampling, shape.topology);
+/// So many triangles are fine enough, whatever volume they lose by bending.
+constexpr std::size_t many = 30000;
+
+/// Empty where the samples bound every solid as its true faces do, but for the volumes `beyond` them; else
+/// what is wrong.
+std::string fault_of(const SampledBoundary& boundary, const CheckedShape& shape,
+                     const std::vector<double>& beyond) {
   for (int solid = 1; solid <= boundary.solid_count; ++solid) {
     if (const int face = face_at_gap(boundary, solid)) {
       return "the triangles of Face" + std::to_string(face) + " do not meet those of its neighbours";
@@ -208,21 +211,34 @@ std::string fault_of(const Sampling& sampling, const CheckedShape& shape) {
   return {};
 }
 
+/// Whether samples without a fault are as fine as meshing likes them: at needles' tips coarse ones are not.
+bool is_fine(const SampledBoundary& boundary, const CheckedShape& shape, const std::vector<double>& beyond) {
+  if (boundary.triangles.size() > many) return true;
+  for (std::size_t i = 0; i < beyond.size(); ++i)
+    if (!(std::abs(beyond[i]) <= allowed_loss * shape.volumes[i])) return false;
+  return true;
+}
+
 }  // namespace
 
 Sampling sample_boundary(const CheckedShape& shape, const SamplingOptions& options, RunControl& control) {
   const double diagonal = shape.bounds.diagonal();
   const double asked = options.deflection > 0.0 ? options.deflection : diagonal / 2000.0;
   std::string fault;
+  std::optional<Sampling> coarse;
   for (const Attempt& attempt : attempts) {
     std::optional<Sampling> sampling = guarded("triangulating the faces", [&] {
       return attempt_sampling(shape, attempt, asked, options.angle, control, fault);
     });
     if (!sampling) continue;
     flip_flat_triangles(sampling->boundary);
-    fault = fault_of(*sampling, shape);
-    if (fault.empty()) return std::move(*sampling);
+    const std::vector<double> beyond = volumes_beyond(*sampling, shape.topology);
+    fault = fault_of(sampling->boundary, shape, beyond);
+    if (!fault.empty()) continue;
+    if (is_fine(sampling->boundary, shape, beyond)) return std::move(*sampling);
+    coarse = std::move(sampling);
   }
+  if (coarse) return std::move(*coarse);
   throw GeometryError(
       "the boundary cannot be triangulated: " + fault +
       "; Part -> Check geometry shows faces that cross themselves or each other, Part -> Refine "

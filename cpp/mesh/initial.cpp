@@ -38,15 +38,38 @@ void untangle(MeshState& state, RunControl& control) {
 
 constexpr double kGrowth = 0.6;  // of sizes, mm a mm
 
+/// Whether the middle of an inner edge lies close above a facet of the boundary at the edge's end. A vertex
+/// there makes flat tetrahedra, whose long edges would be split next.
+bool hugs_boundary(const MeshState& state, int a, int b, const EdgeRing& ring) {
+  constexpr double kClose = 0.15;  // of the edge's length
+  const Vec3 middle = 0.5 * (state.position(a) + state.position(b));
+  const double least = kClose * (state.position(a) - state.position(b)).norm();
+  for (int t : ring.tet) {
+    const Tet& tet = state.complex.tet(t);
+    for (int face = 0; face < 4; ++face) {
+      if (!tet.label[face]) continue;
+      const int* k = kFaceVertices[face];
+      const Vec3& corner = state.position(tet.vertex[k[0]]);
+      const Vec3 normal =
+          area_vector(corner, state.position(tet.vertex[k[1]]), state.position(tet.vertex[k[2]]))
+              .normalized();
+      if (std::abs(normal.dot(middle - corner)) < least) return true;
+    }
+  }
+  return false;
+}
+
 /// Splits inner edges that are longer than the size grown inwards from the boundary.
 void fill_inside(MeshState& state, const InitialMeshOptions& options, RunControl& control) {
   constexpr double kTooLong = 1.5;
-  constexpr int kMostRounds = 12;
+  constexpr int kMostRounds = 12, kMostPasses = 6;
+  constexpr double kFewSwaps = 0.02, kFewSplits = 0.005;  // of the tetrahedra
   TetComplex& complex = state.complex;
   const OdtEnergy energy(state);
   Swapper delaunay(state, energy);
   for (int round = 0; round < kMostRounds; ++round) {
-    delaunay.pass(&control);
+    for (int pass = 0; pass < kMostPasses; ++pass)
+      if (delaunay.pass(&control) <= kFewSwaps * complex.tet_count()) break;
     for (Vertex& vertex : state.vertices)
       if (vertex.carrier.dimension == 3) vertex.size = options.size;
     limit_growth(state, kGrowth);
@@ -66,14 +89,14 @@ void fill_inside(MeshState& state, const InitialMeshOptions& options, RunControl
                                                 0.25 * kGrowth * length);
         if (ratio <= largest) continue;
         complex.ring(v[i], v[j], t, ring);
-        if (state.label_at(v[i], v[j], ring)) continue;
+        if (state.label_at(v[i], v[j], ring) || hugs_boundary(state, v[i], v[j], ring)) continue;
         largest = ratio;
         edge = {v[i], v[j]};
       }
       if (t % 256 == 0) control.check();
       if (edge[0] >= 0 && split_edge(state, edge[0], edge[1], t) >= 0) ++count;
     }
-    if (count == 0) return;
+    if (count <= kFewSplits * complex.tet_count()) return;
   }
 }
 

@@ -101,14 +101,6 @@ int SurfaceMesh::split(int a, int b, const Vec3& target) {
         return (position(triangles[t].apex(a, b)) - middle.position).norm() < kFlat * length;
       }))
     return -1;
-  // Beside a bent edge a slender triangle would turn over.
-  const auto turns = [&](int t, int end) {
-    const auto at = [&](int v) { return v == end ? middle.position : position(v); };
-    const std::array<int, 3>& v = triangles[t].vertex;
-    return area_vector(at(v[0]), at(v[1]), at(v[2])).dot(normal(triangles[t])) < 0.0;
-  };
-  if (!edge && std::any_of(around.begin(), around.end(), [&](int t) { return turns(t, a) || turns(t, b); }))
-    return -1;
   const int v = add_vertex(middle);
   for (int t : around) {
     SurfaceTriangle first = triangles[t], second = triangles[t];
@@ -260,7 +252,8 @@ bool SurfaceMesh::flip(int a, int b, double chord) {
     return std::atan2(p.cross(q).norm(), p.dot(q));
   };
   // A triangle that the samples have turned over lies upon its neighbour; the other diagonal parts them.
-  const bool folded = normal(first).dot(normal(second)) < 0.0;
+  const bool folded = normal(first).dot(normal(second)) < 0.0 && !(faces_out(first.vertex, first.face, 0.0) &&
+                                                                   faces_out(second.vertex, first.face, 0.0));
   if (!folded && angle(c) + angle(d) <= M_PI + 1e-6) return false;
   at_edge(c, d, around);
   if (!around.empty()) return false;

@@ -81,6 +81,21 @@ def airfoil():
     return extruded([curve(Part.BSplineCurve, *upper, *((x, -y) for x, y in reversed(upper[:-1])))], 40)
 
 
+def nearly_horn():
+    """A torus whose hole is a hundredth of its wall."""
+    return Part.makeTorus(10.1, 10)
+
+
+def coil():
+    """One turn of a spring, whose wall is a single span of a spline."""
+    sweep = Part.BRepOffsetAPI.MakePipeShell(Part.makeHelix(8, 8, 10))
+    sweep.setFrenetMode(True)
+    sweep.add(Part.Wire(Part.makeCircle(1.5, Vector(10, 0, 0), Vector(0, 20 * math.pi, 8))))
+    sweep.build()
+    sweep.makeSolid()
+    return sweep.shape()
+
+
 def crossing_bores():
     """Bores that cut each other, so that a wall lies between edges that run around it."""
     bores = [Part.makeCylinder(2, 30, Vector(-15, 0, 12), X), Part.makeCylinder(1.5, 50, Vector(0, 3, 0))]
@@ -138,6 +153,8 @@ VOLUMES = {
     slender_rod: 60 * math.pi,
     teardrop: 0.15 * 600 * 8,
     airfoil: 40 * area_within(next(edge for edge in airfoil().Edges if edge.isClosed())),
+    nearly_horn: 2 * math.pi**2 * 10.1 * 10**2,
+    coil: math.pi * 1.5**2 * math.hypot(20 * math.pi, 8),
     crossing_bores: None,
     loft: None,
     small_fillet: 6000 - (1 - math.pi / 4) * 0.1**2 * 10,

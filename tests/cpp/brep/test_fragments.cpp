@@ -59,6 +59,16 @@ TEST(Fragments, OfCubesSideBySideShareAFaceWithBothNames) {
   EXPECT_EQ(count_from(model.origins().faces, 0), 0);
 }
 
+TEST(Fragments, OfCubesAsFarApartAsPlacementsLeaveThemShareAFace) {
+  for (const double gap : {1e-6, -1e-6}) {
+    const BrepModel model = read({cube(0, 0, 0), cube(10 + gap, 0, 0)});
+    EXPECT_EQ(model.face_count(), 11);
+    EXPECT_EQ(count_from(model.origins().faces, 2), 1);
+    EXPECT_NEAR(model.volumes()[0], 1000.0, 1e-3);
+    EXPECT_NEAR(model.volumes()[1], 1000.0, 1e-3);
+  }
+}
+
 TEST(Fragments, OfACornerInCommonBelongToTheFirst) {
   const BrepModel model = read({cube(0, 0, 0), cube(5, 5, 5)});
   EXPECT_EQ(model.origins().solids, (std::vector<int>{1, 2}));
