@@ -72,7 +72,7 @@ Vec3 BrepModel::vertex_position(int vertex) const {
   return brep::to_vec3(BRep_Tool::Pnt(state_->shape.topology.vertex(vertex)));
 }
 
-bool BrepModel::contains(const Vec3& p, int solid) const {
+bool BrepModel::contains(const Vec3& p, int solid, bool with_boundary) const {
   // A sloppy file's tolerance must not make points well outside count as inside.
   const double tolerance = std::min(state_->shape.tolerance, 1e-4 * bounds().diagonal());
   const std::lock_guard<std::mutex> lock(state_->classifier_mutex);
@@ -87,7 +87,7 @@ bool BrepModel::contains(const Vec3& p, int solid) const {
     return std::any_of(classifiers.begin(), classifiers.end(), [&](BRepClass3d_SolidClassifier& classifier) {
       if (++number != solid && solid != 0) return false;
       classifier.Perform(brep::to_gp(p), tolerance);
-      return classifier.State() == TopAbs_IN || classifier.State() == TopAbs_ON;
+      return classifier.State() == TopAbs_IN || (with_boundary && classifier.State() == TopAbs_ON);
     });
   });
 }

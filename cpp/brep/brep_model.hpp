@@ -47,7 +47,7 @@ class BrepModel final : public BoundaryGeometry {
   SurfacePoint project_to_face(int face, const Vec3& p, const double* guess_uv = nullptr) const override;
   CurvePoint project_to_edge(int edge, const Vec3& p, const double* guess_t = nullptr) const override;
   Vec3 vertex_position(int vertex) const override;
-  bool contains(const Vec3& p, int solid = 0) const override;
+  bool contains(const Vec3& p, int solid = 0, bool with_boundary = true) const override;
 
   /// Empty where every number is that of the shape given.
   const Origins& origins() const;

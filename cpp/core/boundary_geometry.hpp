@@ -38,9 +38,9 @@ class BoundaryGeometry {
 
   virtual Vec3 vertex_position(int vertex) const = 0;
 
-  /// True where `p` lies in SolidN, or in any solid where `solid` is 0, or on its boundary (within the
-  /// shape's tolerance). Slow; for verdicts on single points, not for loops.
-  virtual bool contains(const Vec3& p, int solid = 0) const = 0;
+  /// True where `p` lies in SolidN, or in any solid where `solid` is 0; also on its boundary (within the
+  /// shape's tolerance), if that is to count. Slow; for verdicts on single points, not for loops.
+  virtual bool contains(const Vec3& p, int solid = 0, bool with_boundary = true) const = 0;
 };
 
 /// A fine triangulation of the boundary: what the initial mesh is made from. Points are welded, so

@@ -56,7 +56,7 @@ double variation_at_interface(const Vertex& a, const Vertex& b, const Vertex& c,
   return largest;
 }
 
-bool MeshState::evaluate(const Vec3& place, int solid, MaterialValue& result) const {
+bool MeshState::evaluate(const Vec3& place, const Carrier& carrier, MaterialValue& result) const {
   double value;
   Vec3 gradient;
   materials_.field(result.material).evaluate(&place, 1, &value, &gradient);
@@ -64,7 +64,10 @@ bool MeshState::evaluate(const Vec3& place, int solid, MaterialValue& result) co
     if (!std::isfinite(gradient[i])) gradient[i] = std::copysign(1e3 / kPositionTolerance, gradient[i]);
   const double tolerance = 1e-9 + kPositionTolerance * std::min(gradient.norm(), 1e-3 / kPositionTolerance);
   if (!(value >= -tolerance && value <= 1.0 + tolerance)) {
-    if (boundary_.contains(place, solid)) refuse_value(value, place);
+    // A place that is tried for an inner vertex may be beyond the boundary by less than its tolerance.
+    const bool inner = carrier.dimension == 3;
+    const int solid = inner && materials_.count() > 1 ? carrier.number : 0;
+    if (boundary_.contains(place, solid, !inner)) refuse_value(value, place);
     if (!std::isfinite(value)) return false;
   }
   result.value = std::clamp(value, 0.0, 1.0);
@@ -73,16 +76,15 @@ bool MeshState::evaluate(const Vec3& place, int solid, MaterialValue& result) co
 }
 
 bool MeshState::evaluate(Vertex& vertex) const {
-  const int solid = materials_.count() > 1 && vertex.carrier.dimension == 3 ? vertex.carrier.number : 0;
   MaterialValue here;
   if (materials_.count() == 1) {
-    if (!evaluate(vertex.position, solid, here)) return false;
+    if (!evaluate(vertex.position, vertex.carrier, here)) return false;
   } else {
     vertex.others.clear();
     for (int material : materials_.at(vertex.carrier)) {
       MaterialValue& made = vertex.others.emplace_back();
       made.material = material;
-      if (!evaluate(vertex.position, solid, made)) return false;
+      if (!evaluate(vertex.position, vertex.carrier, made)) return false;
     }
     here = vertex.others.front();
     vertex.others.erase(vertex.others.begin());

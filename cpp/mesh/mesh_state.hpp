@@ -102,8 +102,8 @@ class MeshState {
   /// moved().
   bool evaluate(Vertex& vertex) const;
 
-  /// The same in one material at a place inside `solid`, or on the boundary where that is 0.
-  bool evaluate(const Vec3& place, int solid, MaterialValue& result) const;
+  /// The same in one material at a place on the carrier.
+  bool evaluate(const Vec3& place, const Carrier& carrier, MaterialValue& result) const;
 
   /// The vertex brought onto its carrier at the place nearest to `target`; f is not evaluated.
   Vertex carried(const Vertex& vertex, const Vec3& target, bool near = true) const;

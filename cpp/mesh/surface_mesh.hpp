@@ -92,8 +92,9 @@ class SurfaceMesh {
   }
   void add(const SurfaceTriangle& triangle);
   void remove(int t);
+  /// As long as twice the triangle's area.
+  Vec3 normal(const SurfaceTriangle& triangle) const;
   /// Altitude of a triangle over its longest edge, as part of that edge; 0 where it is flat.
-  Vec3 normal(const SurfaceTriangle& triangle) const;  // as long as twice its area
   double slenderness(const std::array<int, 3>& v) const;
   bool faces_out(const std::array<int, 3>& v, int face, double slenderest) const;
 

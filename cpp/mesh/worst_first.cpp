@@ -161,8 +161,8 @@ bool WorstFirst::mend(int t, Swapper& swapper) {
   return (may_insert_ && insert_vertex(t)) || any;
 }
 
-/// A hash of the vertices of a tetrahedron and its neighbours and of their places: where it is the same as
-/// before, mending it will fail as before.
+/// A hash of the vertices of a tetrahedron and its neighbours and of their places: while it stays the same,
+/// to try again is hardly worth it.
 std::size_t WorstFirst::surroundings(int t) const {
   std::size_t hash = 0;
   const auto add = [&](const Tet& tet) {
@@ -190,12 +190,12 @@ int WorstFirst::run(int rounds, RunControl& control) {
       // Earlier changes may have mended it, or put another tetrahedron into its slot: both are told by its
       // score.
       if (!state_.complex.tet(t).alive() || score_(t) >= 1.0) continue;
-      const std::size_t before = surroundings(t);
-      if (hopeless_.count(before)) continue;
+      const std::size_t place = surroundings(t);
+      if (hopeless_.count(place)) continue;
       if (mend(t, swapper))
         any = true;
       else
-        hopeless_.insert(before);
+        hopeless_.insert(place);
     }
     const std::size_t before = bad.size();
     bad = bad_tets();

@@ -39,10 +39,11 @@ void NodeFractions::add_middle_nodes(const MeshState& state, const SecondOrderMe
       if (!std::isnan(values[node])) continue;
       MaterialValue found;
       found.material = materials_[t];
-      const int solid = mesh.carriers[node].dimension == 3 ? solids_[t] : 0;
+      const Carrier carrier =
+          mesh.carriers[node].dimension == 3 ? Carrier{3, solids_[t]} : mesh.carriers[node];
       const auto& [i, j] = kMiddleEdges[k];
       // Between chord and true boundary, outside the solid, f may be undefined.
-      values[node] = state.evaluate(mesh.points[node], solid, found)
+      values[node] = state.evaluate(mesh.points[node], carrier, found)
                          ? found.value
                          : 0.5 * (values[mesh.tets[t][i]] + values[mesh.tets[t][j]]);
     }

@@ -199,8 +199,8 @@ def test_materials_must_be_as_many_as_solids():
 
 
 def test_a_formula_may_leave_the_range_in_other_solids():
-    """x / 10 is above 1 in the second cube, whose own material is not defined in most of the first."""
-    materials = [core.Material(["x/10"]), core.Material(["sqrt(x-9.99)/4"])]
+    """x / 10 is above 1 in the second cube, whose own material is defined in no other place."""
+    materials = [core.Material(["x/10"]), core.Material(["sqrt(x-10)/4"])]
     result = core.generate_mesh(text(shape("side by side")), materials)
     assert result.status == "ok"
     assert result.tet_fractions.max() == pytest.approx(1)

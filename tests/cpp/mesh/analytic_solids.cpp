@@ -61,8 +61,8 @@ Vec3 BoxSolid::vertex_position(int vertex) const {
   return p;
 }
 
-bool BoxSolid::contains(const Vec3& p, int) const {
-  const double slack = kSlack * box_.diagonal();
+bool BoxSolid::contains(const Vec3& p, int, bool with_boundary) const {
+  const double slack = (with_boundary ? kSlack : -kSlack) * box_.diagonal();
   return ((p - box_.low).array() >= -slack).all() && ((box_.high - p).array() >= -slack).all();
 }
 
@@ -115,7 +115,9 @@ CurvePoint BallSolid::project_to_edge(int, const Vec3&, const double*) const {
 
 Vec3 BallSolid::vertex_position(int) const { throw std::out_of_range("a ball has no vertex"); }
 
-bool BallSolid::contains(const Vec3& p, int) const { return p.norm() <= radius_ * (1.0 + kSlack); }
+bool BallSolid::contains(const Vec3& p, int, bool with_boundary) const {
+  return p.norm() <= radius_ * (1.0 + (with_boundary ? kSlack : -kSlack));
+}
 
 double BallSolid::volume() const { return 4.0 / 3.0 * kPi * std::pow(radius_, 3); }
 
@@ -179,8 +181,8 @@ Vec3 CylinderSolid::vertex_position(int vertex) const {
   return on_circle(radius_, 0.0, vertex == 2 ? height_ : 0.0);
 }
 
-bool CylinderSolid::contains(const Vec3& p, int) const {
-  const double slack = kSlack * (radius_ + height_);
+bool CylinderSolid::contains(const Vec3& p, int, bool with_boundary) const {
+  const double slack = (with_boundary ? kSlack : -kSlack) * (radius_ + height_);
   return std::hypot(p.x(), p.y()) <= radius_ + slack && p.z() >= -slack && p.z() <= height_ + slack;
 }
 

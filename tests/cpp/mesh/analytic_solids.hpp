@@ -26,7 +26,7 @@ class BoxSolid : public AnalyticSolid {
   SurfacePoint project_to_face(int face, const Vec3& p, const double* guess_uv = nullptr) const override;
   CurvePoint project_to_edge(int edge, const Vec3& p, const double* guess_t = nullptr) const override;
   Vec3 vertex_position(int vertex) const override;
-  bool contains(const Vec3& p, int solid = 0) const override;
+  bool contains(const Vec3& p, int solid = 0, bool with_boundary = true) const override;
   SampledBoundary samples() const override;
   double volume() const override { return (box_.high - box_.low).prod(); }
   double edge_length(int edge) const override { return (box_.high - box_.low)[(edge - 1) / 4]; }
@@ -43,7 +43,7 @@ class BallSolid : public AnalyticSolid {
   SurfacePoint project_to_face(int face, const Vec3& p, const double* guess_uv = nullptr) const override;
   CurvePoint project_to_edge(int edge, const Vec3& p, const double* guess_t = nullptr) const override;
   Vec3 vertex_position(int vertex) const override;
-  bool contains(const Vec3& p, int solid = 0) const override;
+  bool contains(const Vec3& p, int solid = 0, bool with_boundary = true) const override;
   SampledBoundary samples() const override;
   double volume() const override;
   double edge_length(int) const override { return 0.0; }
@@ -60,7 +60,7 @@ class CylinderSolid : public AnalyticSolid {
   SurfacePoint project_to_face(int face, const Vec3& p, const double* guess_uv = nullptr) const override;
   CurvePoint project_to_edge(int edge, const Vec3& p, const double* guess_t = nullptr) const override;
   Vec3 vertex_position(int vertex) const override;
-  bool contains(const Vec3& p, int solid = 0) const override;
+  bool contains(const Vec3& p, int solid = 0, bool with_boundary = true) const override;
   SampledBoundary samples() const override;
   double volume() const override;
   double edge_length(int edge) const override;

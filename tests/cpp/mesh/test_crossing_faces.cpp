@@ -23,7 +23,7 @@ class TwoBalls : public BoundaryGeometry {
   }
   CurvePoint project_to_edge(int, const Vec3& p, const double*) const override { return {p, {}, 0.0}; }
   Vec3 vertex_position(int) const override { return Vec3::Zero(); }
-  bool contains(const Vec3&, int) const override { return false; }
+  bool contains(const Vec3&, int, bool) const override { return false; }
 
   SampledBoundary samples() const {
     constexpr int rings = 6, sides = 10;

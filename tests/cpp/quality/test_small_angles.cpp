@@ -23,7 +23,7 @@ class Wall final : public BoundaryGeometry {
   }
   CurvePoint project_to_edge(int, const Vec3&, const double*) const override { return {}; }
   Vec3 vertex_position(int) const override { return Vec3::Zero(); }
-  bool contains(const Vec3&, int) const override { return true; }
+  bool contains(const Vec3&, int, bool) const override { return true; }
 
  private:
   double first_normal_;
