@@ -5,12 +5,8 @@
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
-#include <Geom_BSplineSurface.hxx>
 #include <IMeshTools_Parameters.hxx>
 #include <Precision.hxx>
-#include <TopExp.hxx>
-#include <TopTools_IndexedMapOfShape.hxx>
-#include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <algorithm>
 #include <cmath>
@@ -19,6 +15,7 @@
 #include <optional>
 #include <string>
 
+#include "brep/divided_spans.hpp"
 #include "brep/flat_triangles.hpp"
 #include "brep/occt.hpp"
 #include "brep/weld.hpp"
@@ -59,57 +56,19 @@ void triangulate(const TopoDS_Shape& solids, double deflection, double angle, Ru
   control.check();
 }
 
-/// The knots and `parts` - 1 more in each span.
-TColStd_Array1OfReal divided(const TColStd_Array1OfReal& knots, int parts) {
-  TColStd_Array1OfReal all(1, parts * (knots.Length() - 1) + 1);
-  int next = 1;
-  for (int i = knots.Lower(); i < knots.Upper(); ++i)
-    for (int part = 0; part < parts; ++part)
-      all(next++) = knots(i) + part * (knots(i + 1) - knots(i)) / parts;
-  all(next) = knots(knots.Upper());
-  return all;
-}
-
-/// Divides long spans of B-spline surfaces, which leaves the surfaces as they are: BRepMesh looks at a few
-/// places of each span only and misses how a long one bends, such as that of a whole turn. It takes for
-/// spans what is parted by knots of full multiplicity.
-void divide_spans(const TopoDS_Shape& shape) {
-  constexpr int few = 8, parts = 8;
-  const auto multiplicities = [](const TColStd_Array1OfReal& knots, int degree) {
-    TColStd_Array1OfInteger all(knots.Lower(), knots.Upper());
-    all.Init(degree);
-    return all;
-  };
-  TopTools_IndexedMapOfShape faces;
-  TopExp::MapShapes(shape, TopAbs_FACE, faces);
-  for (int i = 1; i <= faces.Extent(); ++i) {
-    const Handle(Geom_BSplineSurface) spline =
-        Handle(Geom_BSplineSurface)::DownCast(BRep_Tool::Surface(TopoDS::Face(faces(i))));
-    if (spline.IsNull()) continue;
-    if (spline->NbUKnots() <= few) {
-      const TColStd_Array1OfReal knots = divided(spline->UKnots(), parts);
-      spline->InsertUKnots(knots, multiplicities(knots, spline->UDegree()), Precision::PConfusion(),
-                           Standard_False);
-    }
-    if (spline->NbVKnots() <= few) {
-      const TColStd_Array1OfReal knots = divided(spline->VKnots(), parts);
-      spline->InsertVKnots(knots, multiplicities(knots, spline->VDegree()), Precision::PConfusion(),
-                           Standard_False);
-    }
-  }
-}
-
 std::optional<Sampling> attempt_sampling(const CheckedShape& shape, const Attempt& attempt, double deflection,
                                          double angle, RunControl& control, std::string& fault) {
   const TopoDS_Compound solids = compound_of_solids(shape.topology);
   gp_Trsf growth;
   growth.SetScale(gp_Pnt(), 1.0 + imperceptible);
-  BRepBuilderAPI_Transform copy(solids, growth, Standard_True);
-  const bool use_copy = attempt.altered_copy;
-  if (use_copy) divide_spans(copy.Shape());
-  triangulate(use_copy ? copy.Shape() : solids, attempt.factor * deflection, angle, control);
+  std::optional<BRepBuilderAPI_Transform> copy;
+  if (attempt.altered_copy) {
+    copy.emplace(solids, growth, Standard_True);
+    divide_spans(copy->Shape());
+  }
+  triangulate(copy ? copy->Shape() : solids, attempt.factor * deflection, angle, control);
   const TriangulatedCopy triangulated = [&](const TopoDS_Shape& sub_shape) {
-    return use_copy ? copy.ModifiedShape(sub_shape).Oriented(sub_shape.Orientation()) : sub_shape;
+    return copy ? copy->ModifiedShape(sub_shape).Oriented(sub_shape.Orientation()) : sub_shape;
   };
   return weld(shape, triangulated, fault);
 }

@@ -5,6 +5,7 @@
 #include <CGAL/AABB_tree.h>
 #include <CGAL/AABB_triangle_primitive.h>
 
+#include <cmath>
 #include <limits>
 #include <set>
 #include <vector>
@@ -58,9 +59,14 @@ double WallThickness::at(const Vec3& point, const Vec3& inward, int solid, int f
     return !(behind == solid && along > 0.0) && !(before == solid && along < 0.0);
   };
   const auto exit = tree_->boxes.first_intersected_primitive(CgalKernel::Ray_3(start, way), is_no_exit);
-  if (!exit || tree_->wedges.count({face, tree_->faces[*exit - tree_->triangles.cbegin()]}))
-    return std::numeric_limits<double>::infinity();
+  if (!exit) return std::numeric_limits<double>::infinity();
   const CgalKernel::Vector_3 out = normal(**exit);
+  // In a blunter wedge than 12 degrees elements that grow from its edge are short enough for its thickness.
+  constexpr double kBlunt = 0.978;
+  const int other = tree_->faces[*exit - tree_->triangles.cbegin()];
+  const bool is_blunt = out * way < kBlunt * std::sqrt(out.squared_length());
+  if ((is_blunt || other == face) && tree_->wedges.count({face, other}))
+    return std::numeric_limits<double>::infinity();
   return (out * ((**exit)[0] - start)) / (out * way);
 }
 

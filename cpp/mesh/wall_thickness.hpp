@@ -14,7 +14,8 @@ class WallThickness {
   ~WallThickness();
 
   /// Length of the way from `point` on `face` along `inward` to where it leaves `solid`, mm. Infinite where
-  /// it does not, or leaves by a face that meets `face` at an edge: there is a wedge, which has no thickness.
+  /// it does not, or leaves by a face that meets `face` at an edge in a wedge of 12 degrees or more, or at a
+  /// sharp seam of the same face.
   double at(const Vec3& point, const Vec3& inward, int solid, int face) const;
 
  private:

@@ -51,6 +51,12 @@ def knife():
     return extruded(Part.makePolygon(tip).Edges, 5)
 
 
+def sliver():
+    """A wedge of one degree: no angle but those at its edge, and where it is thinner than MinSize, is forced."""
+    tip = [Vector(), Vector(10, 0, 0), Vector(10, 10 * math.tan(math.radians(1)), 0), Vector()]
+    return extruded(Part.makePolygon(tip).Edges, 5)
+
+
 def thin_tube():
     return Part.makeCylinder(10, 20).cut(Part.makeCylinder(9.8, 20))
 
@@ -148,6 +154,7 @@ VOLUMES = {
     needle: 5 / 3 * math.pi,
     ball_in_a_box: 8000 - 288 * math.pi,
     knife: 250 * math.tan(math.radians(8)),
+    sliver: 250 * math.tan(math.radians(1)),
     thin_tube: 20 * math.pi * (10**2 - 9.8**2),
     shell_of_a_ball: 4 / 3 * math.pi * (10**3 - 9.5**3),
     slender_rod: 60 * math.pi,

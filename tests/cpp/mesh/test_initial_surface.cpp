@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -53,6 +54,36 @@ TEST(RemeshedSurface, OfABallIsClosedAndEvenlyFine) {
   for (const Vertex& vertex : part.surface.vertices) EXPECT_NEAR(vertex.position.norm(), 10.0, 1e-9);
   EXPECT_LT(part.surface.volume(), ball.volume());
   EXPECT_GT(part.surface.volume(), 0.9 * ball.volume());
+}
+
+TEST(SurfaceFlip, PartsATriangleThatIsTurnedOverFromItsNeighbour) {
+  const test::BoxSolid box({{0, 0, 0}, {10, 10, 10}});
+  const auto on_top = [&](const SampledBoundary& all, std::size_t t) {
+    return std::all_of(all.triangles[t].begin(), all.triangles[t].end(),
+                       [&](int v) { return all.points[v].z() > 9.99; });
+  };
+  const SampledBoundary all = box.samples();
+  std::size_t top = 0;
+  while (!on_top(all, top)) ++top;
+
+  SampledBoundary samples;
+  samples.bounds = all.bounds;
+  samples.points = {{2, 2, 10}, {6, 2, 10}, {4, 6, 10}, {4, 5, 10}};
+  samples.triangles = {{0, 1, 2}, {1, 0, 3}};  // the second looks down and lies upon the first
+  samples.triangle_face = {all.triangle_face[top], all.triangle_face[top]};
+  samples.triangle_solids = {all.triangle_solids[top], all.triangle_solids[top]};
+  MeshState state(box, kField, 0.1, samples.bounds.diagonal());
+  SurfaceMesh surface(state, samples);
+  ASSERT_TRUE(surface.flip(0, 1, 1.0));
+  double area = 0.0;
+  for (const SurfaceTriangle& triangle : surface.triangles) {
+    if (!triangle.alive()) continue;
+    const auto& [a, b, c] = triangle.vertex;
+    const Vec3 twice = area_vector(surface.position(a), surface.position(b), surface.position(c));
+    EXPECT_GT(twice.z(), 0.0);
+    area += 0.5 * twice.z();
+  }
+  EXPECT_NEAR(area, 8.0 - 6.0, 1e-12);
 }
 
 TEST(RemeshedSurface, FollowsTheCurvature) {
