@@ -36,8 +36,8 @@ struct Sampling {
   std::vector<std::vector<double>> edge_parameters;  ///< of EdgeN at n - 1, ascending
 };
 
-/// Triangulates the faces and welds them along their edges. Where the triangles would cross each other, as in
-/// walls thinner than the deflection, or a face fails, finer deflections are tried.
+/// Triangulates the faces and welds them along their edges. Where a face fails, or triangles do not meet or
+/// bound another volume than their faces do, other and finer deflections are tried.
 /// Throws GeometryError that names the face which cannot be triangulated; Cancelled.
 Sampling sample_boundary(const CheckedShape& shape, const SamplingOptions& options, RunControl& control);
 
