@@ -161,8 +161,8 @@ bool WorstFirst::mend(int t, Swapper& swapper) {
   return (may_insert_ && insert_vertex(t)) || any;
 }
 
-/// A hash of the vertices of a tetrahedron and its neighbours and of their places: while it stays the same,
-/// to try again is hardly worth it.
+/// A hash of the vertices of a tetrahedron and its neighbours and of their places: while it stays the same, to
+/// try again in other random directions is worth it for a few tetrahedra only.
 std::size_t WorstFirst::surroundings(int t) const {
   std::size_t hash = 0;
   const auto add = [&](const Tet& tet) {
@@ -191,7 +191,7 @@ int WorstFirst::run(int rounds, RunControl& control) {
       // score.
       if (!state_.complex.tet(t).alive() || score_(t) >= 1.0) continue;
       const std::size_t place = surroundings(t);
-      if (hopeless_.count(place)) continue;
+      if (bad.size() > kFew && hopeless_.count(place)) continue;
       if (mend(t, swapper))
         any = true;
       else
