@@ -161,8 +161,8 @@ bool WorstFirst::mend(int t, Swapper& swapper) {
   return (may_insert_ && insert_vertex(t)) || any;
 }
 
-/// A hash of the vertices of a tetrahedron and its neighbours and of their places: while it stays the same, to
-/// try again in other random directions is worth it for a few tetrahedra only.
+/// A hash of the vertices of a tetrahedron and its neighbours and of their places: while it stays the same,
+/// to try again in other random directions is worth it for a few tetrahedra only.
 std::size_t WorstFirst::surroundings(int t) const {
   std::size_t hash = 0;
   const auto add = [&](const Tet& tet) {
