@@ -13,7 +13,8 @@ from pathlib import Path
 
 import numpy as np
 
-COLOURS = "viridis"
+from freecad.fgmesh.colours import SIZE, table
+
 WIDTH, HEIGHT = 1400, 1100
 STAGE_NAMES = {"initial": "I-Mesh", "material": "M-Mesh", "geometry": "G-Mesh"}  # as the paper calls them
 
@@ -87,12 +88,9 @@ def _stage_axes(report, horizontal, vertical):
 
 
 def _draw_bars(axis, histogram):
-    import matplotlib
-
     counts = np.asarray(histogram["counts"], float)
     edges = np.linspace(histogram["low"], histogram["high"], len(counts) + 1)
-    colour = matplotlib.colormaps[COLOURS](0.35)
-    axis.bar(edges[:-1], counts / max(counts.sum(), 1), np.diff(edges), align="edge", color=colour)
+    axis.bar(edges[:-1], counts / max(counts.sum(), 1), np.diff(edges), align="edge", color=table()[SIZE // 4])
 
 
 def _annotate(axis, figures, text):
@@ -168,16 +166,14 @@ def _cell_array(tets):
 
 
 def _colour_table():
-    import matplotlib
     import vtk
 
-    table = vtk.vtkLookupTable()
-    table.SetNumberOfTableValues(256)
-    table.SetRange(0, 1)
-    # The darkest tenth is left out: black edges would be lost in it.
-    for index, colour in enumerate(matplotlib.colormaps[COLOURS](np.linspace(0.12, 1, 256))):
-        table.SetTableValue(index, *colour)
-    return table
+    colours = vtk.vtkLookupTable()
+    colours.SetNumberOfTableValues(SIZE)
+    colours.SetRange(0, 1)
+    for index, colour in enumerate(table().tolist()):
+        colours.SetTableValue(index, *colour)
+    return colours
 
 
 def _colour_bar(colours):

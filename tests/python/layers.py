@@ -29,23 +29,24 @@ LIBRARIES = {
 
 MODEL = {"core", "model"}
 PYTHON_LAYERS = {
+    "colours": set(),
     "core": {"_core"},
     "io": {"core"},
     "worker": {"core"},
     "cli": {"core", "io", "worker"},
     "__main__": {"cli"},
-    "pictures": {"core", "io"},
+    "pictures": {"colours", "core", "io"},
     "model": {"core"},
     "fem": {"core", "io", "model", "worker"},
-    "view": MODEL | {"fem"},
-    "panels": MODEL | {"fem", "view", "worker"},
-    "commands": MODEL | {"fem", "view", "panels", "worker"},
-    "init_gui": MODEL | {"fem", "view", "panels", "commands", "worker"},
+    "view": MODEL | {"colours", "fem"},
+    "panels": MODEL | {"colours", "fem", "view", "worker"},
+    "commands": MODEL | {"colours", "fem", "view", "panels", "worker"},
+    "init_gui": MODEL | {"colours", "fem", "view", "panels", "commands", "worker"},
     "__init__": MODEL | {"fem", "io", "pictures"},
 }
 """Module or folder of freecad/fgmesh/: the others that it may import."""
 
-WITHOUT_FREECAD = {"core", "io", "worker", "cli", "__main__", "pictures", "__init__"}
+WITHOUT_FREECAD = {"core", "io", "worker", "cli", "__main__", "colours", "pictures", "__init__"}
 WITH_GUI = {"view", "panels", "commands", "init_gui"}
 FREECAD = {
     "FreeCAD",
