@@ -90,7 +90,9 @@ def _stage_axes(report, horizontal, vertical):
 def _draw_bars(axis, histogram):
     counts = np.asarray(histogram["counts"], float)
     edges = np.linspace(histogram["low"], histogram["high"], len(counts) + 1)
-    axis.bar(edges[:-1], counts / max(counts.sum(), 1), np.diff(edges), align="edge", color=table()[SIZE // 4])
+    axis.bar(
+        edges[:-1], counts / max(counts.sum(), 1), np.diff(edges), align="edge", color=table()[SIZE // 4]
+    )
 
 
 def _annotate(axis, figures, text):

@@ -61,7 +61,9 @@ def surface_of(thing, fineness=FINENESS, most=MOST_TRIANGLES):
         deflection *= _COARSER
         shape = thing.Shape.cleaned()
         parts = [_solid_triangles(solid, deflection) for solid in shape.Solids]
-    rows, triangles = _joined([(np.column_stack([p, np.full(len(p), i)]), t) for i, (p, t) in enumerate(parts)])
+    rows, triangles = _joined(
+        [(np.column_stack([p, np.full(len(p), i)]), t) for i, (p, t) in enumerate(parts)]
+    )
     rows, triangles = subdivide(rows, triangles, diagonal / fineness, most)
     lengths = np.linalg.norm(rows[:, 3:6], axis=1, keepdims=True)
     normals = np.divide(rows[:, 3:6], lengths, out=np.zeros((len(rows), 3)), where=lengths > 0)

@@ -32,7 +32,8 @@ class Section:
 
 def cut(surface, origin, normal, limit):
     """The Section of `surface`, a preview_shape.Surface, by the plane through `origin`; what lies on the side to
-    which `normal` points is removed. Edges of the caps are no longer than `limit`, or than those around them."""
+    which `normal` points is removed. Edges of the caps are no longer than `limit`, or than those around them.
+    """
     origin, normal = np.asarray(origin, float), np.asarray(normal, float)
     normal = normal / np.linalg.norm(normal)
     # Not a matrix product: it may round equal points differently.
