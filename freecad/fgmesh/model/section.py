@@ -4,12 +4,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freecad.fgmesh.model.subdivision import subdivide, weld
-
-MOST_CAP_TRIANGLES = 60_000
-"""Of one solid."""
+from freecad.fgmesh.model.filling import filled
 
 _ON_PLANE = 1e-9  # of the diagonal
+_SAME = 1e-4  # of the limit
 
 
 @dataclass
@@ -48,7 +46,7 @@ def cut(surface, origin, normal, limit):
     share = (heights[kept] / (heights[kept] - heights[gone]))[:, None]
     points = (1 - share) * surface.points[kept] + share * surface.points[gone]
     normals = (1 - share) * surface.normals[kept] + share * surface.normals[gone]
-    places = weld(points)
+    places, points = _merged(points, _SAME * limit)
 
     def numbered(corners):  # those below zero are edges that the plane cuts
         return np.where(corners >= 0, corners, size + np.searchsorted(keys, -1 - corners))
@@ -101,6 +99,20 @@ def _cut_edges(surface, removed):
     return np.column_stack([start, np.where(removed[end], -1 - (start * len(surface.points) + end), end)])
 
 
+def _merged(points, tolerance):
+    """The same number for all of `points` (n, 3) that are nearly the same, and the points made equal. No triangles
+    can be made between points that only rounding tells apart."""
+    from scipy.sparse import coo_matrix
+    from scipy.sparse.csgraph import connected_components
+    from scipy.spatial import cKDTree
+
+    pairs = cKDTree(points).query_pairs(tolerance, output_type="ndarray")
+    links = coo_matrix((np.ones(len(pairs), bool), pairs.T), shape=(len(points),) * 2)
+    places = connected_components(links, directed=False)[1]
+    first = np.unique(places, return_index=True)[1]
+    return places, points[first[places]]
+
+
 def _cap(rims, points, places, normal, limit):
     """Points, triangles and rim segments of the cut faces of one solid.
 
@@ -111,9 +123,7 @@ def _cap(rims, points, places, normal, limit):
     if not len(corners):
         return rows, np.empty((0, 3), np.int64), corners
     longest = np.sqrt(((rows[corners[:, 0]] - rows[corners[:, 1]]) ** 2).sum(axis=1).max())
-    triangles = _triangulated(rows, corners, normal)
-    # An edge of the rim that was halved would leave a gap to the surface.
-    rows, triangles = subdivide(rows, triangles, max(limit, longest), MOST_CAP_TRIANGLES)
+    rows, triangles = filled(rows, corners, normal, max(limit, longest))
     return rows, triangles, corners
 
 
@@ -128,22 +138,3 @@ def _without_returns(segments):
     backs[here] = back_counts[there]
     keys = np.repeat(keys, np.maximum(counts - backs, 0))
     return np.column_stack([keys // size, keys % size])
-
-
-def _triangulated(points, segments, normal):
-    """Triangles (t, 3) that fill the closed loops of directed `segments` (s, 2), with their holes."""
-    from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
-    from vtkmodules.vtkCommonCore import vtkPoints
-    from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-    from vtkmodules.vtkFiltersGeneral import vtkContourTriangulator
-
-    corners = vtkPoints()
-    corners.SetData(numpy_to_vtk(np.ascontiguousarray(points), deep=1))
-    rows = np.column_stack([np.full(len(segments), 2), segments]).astype(np.int64)
-    lines, filled = vtkCellArray(), vtkCellArray()
-    lines.ImportLegacyFormat(numpy_to_vtkIdTypeArray(rows.ravel(), deep=1))
-    outline = vtkPolyData()
-    outline.SetPoints(corners)
-    outline.SetLines(lines)
-    vtkContourTriangulator.TriangulateContours(outline, 0, len(segments), filled, normal.tolist())
-    return vtk_to_numpy(filled.GetConnectivityArray()).reshape(-1, 3).astype(np.int64)
