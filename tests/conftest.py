@@ -29,19 +29,20 @@ def source_dir():
 
 @pytest.fixture
 def child_double(build_dir, tmp_path_factory):
-    """A function: the command line of a meshing process that does `action` in place of meshing. The names of
-    `action` are control, the run's; asked, all arguments; real, the function that it replaces; some modules.
+    """A function: the command line of a meshing process that does `action` in place of meshing, or of another
+    function of `core`. The names of `action` are control, the run's; asked, all arguments; real, the function
+    that it replaces; some modules.
     """
 
-    def make(action):
+    def make(action, name="generate_mesh"):
         script = tmp_path_factory.mktemp("double") / "child.py"
         script.write_text(
             "import ctypes, os, signal, sys, time\n"
             f"sys.path.insert(0, {str(build_dir / 'Mod' / 'FGMesh')!r})\n"
             "import numpy as np\nfrom freecad.fgmesh import core\nfrom freecad.fgmesh.worker import child\n"
-            "real = core.generate_mesh\n\ndef double(*asked):\n    control = asked[-1]\n"
+            f"real = core.{name}\n\ndef double(*asked):\n    control = asked[-1]\n"
             f"    {action}\n\n"
-            "core.generate_mesh = double\nchild.main()\n"
+            f"core.{name} = double\nchild.main()\n"
         )
         return [sys.executable, "-P", str(script)]
 

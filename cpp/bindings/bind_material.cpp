@@ -3,14 +3,17 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "bindings/bindings.hpp"
 #include "core/error.hpp"
+#include "core/run_control.hpp"
 #include "material/formula_error.hpp"
 #include "material/material.hpp"
 
@@ -33,8 +36,8 @@ Points as_points(const Array& array) {
   return {reinterpret_cast<const Vec3*>(array.data()), static_cast<std::size_t>(array.shape(0))};
 }
 
-void require_read(const Material& material) {
-  for (const Reference& reference : material.references()) {
+void require_read(const std::vector<Reference>& references) {
+  for (const Reference& reference : references) {
     if (!reference.distance) {
       throw InvalidInput("the reference " + reference.name +
                          " has not been read: evaluate core.read_references(material)");
@@ -42,18 +45,58 @@ void require_read(const Material& material) {
   }
 }
 
-Array evaluate(const Material& material, const Array& array) {
-  require_read(material);
+void require_rows(const Array& distances, std::size_t rows, std::size_t columns) {
+  if (distances.ndim() == 2 && distances.shape(0) == static_cast<py::ssize_t>(rows) &&
+      distances.shape(1) == static_cast<py::ssize_t>(columns))
+    return;
+  throw InvalidInput("distances must be an array of shape (" + std::to_string(rows) + ", " +
+                     std::to_string(columns) +
+                     "): a row for each point, with the distance to each reference");
+}
+
+Array evaluate(const Material& material, const Array& array, const std::optional<Array>& distances) {
   const Points points = as_points(array);
+  if (distances)
+    require_rows(*distances, points.count, material.references().size());
+  else
+    require_read(material.references());
   Array values(array.shape(0));
   double* const out = values.mutable_data();
+  const double* const known = distances ? distances->data() : nullptr;
   const py::gil_scoped_release released;
-  material.evaluate(points.data, points.count, out);
+  if (known)
+    material.evaluate_at(points.data, known, points.count, out);
+  else
+    material.evaluate(points.data, points.count, out);
   return values;
 }
 
+/// In blocks, so that it listens to the control.
+Array distances(const std::vector<Reference>& references, const Array& array, RunControl* control) {
+  require_read(references);
+  constexpr std::size_t kBlock = 1024;
+  const Points points = as_points(array);
+  Array table({points.count, references.size()});
+  double* const out = table.mutable_data();
+  const py::gil_scoped_release released;
+  if (control) control->begin_stage("distances");
+  std::vector<double> column(kBlock);
+  for (std::size_t first = 0; first < points.count; first += kBlock) {
+    if (control) {
+      control->check();
+      control->report(static_cast<double>(first) / points.count, 0);
+    }
+    const std::size_t count = std::min(kBlock, points.count - first);
+    for (std::size_t j = 0; j < references.size(); ++j) {
+      references[j].distance->evaluate(points.data + first, count, column.data());
+      for (std::size_t i = 0; i < count; ++i) out[(first + i) * references.size() + j] = column[i];
+    }
+  }
+  return table;
+}
+
 Array gradient(const Material& material, const Array& array) {
-  require_read(material);
+  require_read(material.references());
   const Points points = as_points(array);
   Array gradients({array.shape(0), py::ssize_t{3}});
   Vec3* const out = reinterpret_cast<Vec3*>(gradients.mutable_data());
@@ -64,7 +107,7 @@ Array gradient(const Material& material, const Array& array) {
 }
 
 std::pair<double, double> bounds(const Material& material, const Vec3& low, const Vec3& high) {
-  require_read(material);
+  require_read(material.references());
   if (!(low.array() <= high.array()).all()) {
     throw InvalidInput("a box needs low <= high in each of its three coordinates");
   }
@@ -101,8 +144,10 @@ void bind_material(py::module_& module) {
       .def_property_readonly(
           "rotation", [](const Material& material) { return Eigen::Matrix3d(material.frame().rotation); })
       .def_property_readonly("references", &Material::references)
-      .def("evaluate", &evaluate, py::arg("points"),
-           "Volume fraction (n,) at points (n, 3) in mm; NaN where the formula is not defined.")
+      .def("evaluate", &evaluate, py::arg("points"), py::arg("distances") = py::none(),
+           "Volume fraction (n,) at points (n, 3) in mm; NaN where the formula is not defined. distances "
+           "(n, r): those to the r references at the points, where they are known, as core.distances() gives "
+           "them; the references then need not have been read.")
       .def("gradient", &gradient, py::arg("points"),
            "Gradient (n, 3) in 1/mm at points (n, 3), along the world's axes. NaN only where the value is; "
            "zero where "
@@ -115,6 +160,11 @@ void bind_material(py::module_& module) {
         return py::str("Material({!r}, parameters={!r})")
             .format(py::cast(material.fractions()), py::cast(material.parameters()));
       });
+
+  module.def(
+      "distances", &distances, py::arg("references"), py::arg("points"), py::arg("control") = py::none(),
+      "Distances (n, r) in mm from points (n, 3) to r references that have been read; to solids with a "
+      "sign, below zero inside.");
 
   module.def(
       "caret_excerpt",

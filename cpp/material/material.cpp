@@ -72,6 +72,12 @@ void Material::evaluate(const Vec3* points, std::size_t count, double* values, V
                            gradients);
 }
 
+void Material::evaluate_at(const Vec3* points, const double* distances, std::size_t count,
+                           double* values) const {
+  state_->program.evaluate(PointVariables(state_->frame, state_->references, points, distances), count,
+                           values);
+}
+
 void Material::bounds(const Box& box, double& low, double& high) const {
   std::vector<Interval> inputs;
   for (const Variable variable : state_->program.variables()) {

@@ -30,6 +30,10 @@ class Material final : public ScalarField {
   void evaluate(const Vec3* points, std::size_t count, double* values, Vec3* gradients) const override;
   void bounds(const Box& box, double& low, double& high) const override;
 
+  /// The values where the references have not been read, but the distances to them at the points are known:
+  /// one row a point, signed for solids.
+  void evaluate_at(const Vec3* points, const double* distances, std::size_t count, double* values) const;
+
   const std::vector<std::string>& fractions() const;
   const std::map<std::string, double>& parameters() const;
   const Frame& frame() const;

@@ -8,7 +8,11 @@ namespace fgmesh {
 void PointVariables::values(Variable variable, std::size_t first, std::size_t count, double* out) const {
   const auto reference = to_reference(variable);
   if (!reference) return coordinates_.values(variable, first, count, out);
-  references_[reference->index].distance->evaluate(points_ + first, count, out);
+  if (distances_)
+    for (std::size_t i = 0; i < count; ++i)
+      out[i] = distances_[(first + i) * references_.size() + reference->index];
+  else
+    references_[reference->index].distance->evaluate(points_ + first, count, out);
   if (reference->is_signed) return;
   for (std::size_t i = 0; i < count; ++i) out[i] = std::abs(out[i]);
 }

@@ -12,8 +12,11 @@ namespace fgmesh {
 /// All that a formula may read at points of the world: coordinates in a frame and distances to references.
 class PointVariables final : public PointInputs {
  public:
-  PointVariables(const Frame& frame, const std::vector<Reference>& references, const Vec3* points)
-      : coordinates_(frame, points), references_(references), points_(points) {}
+  /// `distances`: those to the references at the points where they are known, one row a point; duals() then
+  /// serves coordinates only.
+  PointVariables(const Frame& frame, const std::vector<Reference>& references, const Vec3* points,
+                 const double* distances = nullptr)
+      : coordinates_(frame, points), references_(references), points_(points), distances_(distances) {}
 
   void values(Variable variable, std::size_t first, std::size_t count, double* out) const override;
 
@@ -25,6 +28,7 @@ class PointVariables final : public PointInputs {
   FrameCoordinates coordinates_;
   const std::vector<Reference>& references_;
   const Vec3* points_;
+  const double* distances_;
 };
 
 /// What `variable` can be within a box of the world.

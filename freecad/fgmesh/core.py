@@ -55,6 +55,7 @@ __all__ = [
     "Reference",
     "RunControl",
     "caret_excerpt",
+    "distances",
     "frame_rotation",
     "generate_mesh",
     "read_references",
@@ -161,10 +162,34 @@ def read_references(material, control=None):
     return _with_references([material], control)[0]
 
 
+def distances(references, points, control=None):
+    """Distances (n, r) in mm from points (n, 3) to r references, those to solids with a sign, below zero inside.
+
+    They are what `Material.evaluate(points, distances)` takes: whoever has them can evaluate a material whose
+    references nobody has read. References that have not been read are read here first. control: RunControl,
+    as for `generate_mesh`. Raises InvalidInput, GeometryError or Cancelled.
+    """
+    return _core.distances(_all_read(list(references), control), points, control)
+
+
 def _with_references(materials, control):
     """Of each of `materials` what `read_references` gives; each shape is read once. The same for the same."""
+    once = {id(material): material for material in materials}
+    given = [one for material in once.values() for one in material.references]
+    read = iter(_all_read(given, control))
+    for key, material in once.items():
+        found = [next(read) for _ in material.references]
+        if not all(one.is_read for one in material.references):
+            once[key] = Material(
+                material.fractions, material.parameters, material.origin, material.rotation, found
+            )
+    return [once[id(material)] for material in materials]
+
+
+def _all_read(given, control):
+    """References that have been read in the place of those that have not; each shape is read once."""
     unread = {}  # a dictionary is a set in order
-    for reference in (one for material in materials for one in material.references if not one.is_read):
+    for reference in (one for one in given if not one.is_read):
         unread.setdefault(reference.shape, {})[reference.name] = None
     made = {}
     for shape, names in unread.items():
@@ -172,15 +197,7 @@ def _with_references(materials, control):
             made.update(((shape, one.name), one) for one in references(shape, names, control))
         except GeometryError as error:
             raise GeometryError(f"the shape of the reference {next(iter(names))}: {error}") from None
-
-    def read(material):
-        if all(one.is_read for one in material.references):
-            return material
-        found = [one if one.is_read else made[one.shape, one.name] for one in material.references]
-        return Material(material.fractions, material.parameters, material.origin, material.rotation, found)
-
-    once = {id(material): read(material) for material in materials}
-    return [once[id(material)] for material in materials]
+    return [one if one.is_read else made[one.shape, one.name] for one in given]
 
 
 def read_shape(brep):

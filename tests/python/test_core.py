@@ -180,3 +180,52 @@ def test_references_that_are_not_read_yet(shapes):
     broken = core.Material(["d1"], references=core.references(shapes / "open.brep", ["Face1"], read=False))
     with pytest.raises(core.GeometryError, match="the shape of the reference Face1: .* is open"):
         core.read_references(broken)
+
+
+def test_distances(shapes):
+    """To a ball and to the plane z = 0 in closed form, whether anybody has read the references or not."""
+    points = np.random.default_rng(3).uniform(-15, 15, (5000, 3))
+    expected = np.linalg.norm(points, axis=1) - 10
+    for read in (True, False):
+        ball = core.references(shapes / "ball.brep", ["Solid1", "Face1"], read=read)
+        np.testing.assert_allclose(
+            core.distances(ball, points), np.column_stack([expected, abs(expected)]), atol=1e-12
+        )
+    inside = np.random.default_rng(4).uniform(0, 10, (100, 3))
+    (bottom,) = core.references(shapes / "box.brep", ["Face5"])
+    np.testing.assert_allclose(core.distances([bottom], inside)[:, 0], inside[:, 2], atol=1e-12)
+    assert core.distances([bottom], np.empty((0, 3))).shape == (0, 1)
+    assert core.distances([], points).shape == (5000, 0)
+    with pytest.raises(core.InvalidInput, match=r"\(n, 3\)"):
+        core.distances([bottom], [1, 2, 3])
+
+
+def test_distances_can_be_cancelled(shapes):
+    control = core.RunControl()
+    ball = core.references(shapes / "ball.brep", ["Solid1"])
+    control.cancel()
+    with pytest.raises(core.Cancelled):
+        core.distances(ball, np.zeros((1, 3)), control)
+
+
+def test_a_material_whose_distances_are_known_needs_no_reading(shapes):
+    """d is the distance without its sign, s that with it; coordinates are those in the frame as ever."""
+    formula, frame = "x + 2*s1 + 100*d1 + 10000*d2", {"origin": (1, 0, 0)}
+    unread = core.references(shapes / "ball.brep", ["Solid1", "Face1"], read=False)
+    material = core.Material([formula], references=unread, **frame)
+    values = material.evaluate([(3, 0, 0), (4, 5, 6)], [(-7, 5), (0.5, 0)])
+    np.testing.assert_allclose(values, [2 - 14 + 700 + 50000, 3 + 1 + 50], rtol=1e-14)
+    points = np.random.default_rng(5).uniform(-15, 15, (3000, 3))
+    read = core.references(shapes / "ball.brep", ["Solid1", "Face1"])
+    known = core.distances(read, points)
+    direct = core.Material([formula], references=read, **frame).evaluate(points)
+    assert np.array_equal(material.evaluate(points, distances=known), direct)
+    assert np.isnan(material.evaluate([(0, 0, 0)], [(np.nan, 0)])).all()
+
+
+@pytest.mark.parametrize("shape", [(2,), (2, 2), (3, 1), (0, 1), (1, 2), (2, 1, 1)])
+def test_distances_of_another_shape_are_refused(shapes, shape):
+    unread = core.references(shapes / "ball.brep", ["Solid1"], read=False)
+    material = core.Material(["s1"], references=unread)
+    with pytest.raises(core.InvalidInput, match=r"distances .* shape \(2, 1\)"):
+        material.evaluate(np.zeros((2, 3)), np.zeros(shape))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Meshing in a child process: the same mesh, and whatever happens to the child is an error here.
+"""Work in a child process: the same answer, and whatever happens to the child is an error here.
 
 Doubles of the child, in which core.generate_mesh does something else, stand for shapes that OpenCASCADE or
 CGAL cannot bear: which ones these are changes from release to release.
@@ -29,10 +29,10 @@ HANG_WITHOUT_WORD = "control.begin_stage('initial'); time.sleep(0.3); ctypes.PyD
 
 @pytest.fixture
 def child_that(child_double, monkeypatch):
-    """A function: from now on the child does this in place of meshing."""
+    """A function: from now on the child does this in place of meshing, or of another function of `core`."""
 
-    def use(action):
-        monkeypatch.setattr("freecad.fgmesh.worker.run.child_command", lambda: child_double(action))
+    def use(*asked):
+        monkeypatch.setattr("freecad.fgmesh.worker.run.child_command", lambda: child_double(*asked))
 
     return use
 
@@ -299,3 +299,51 @@ def test_no_child_outlives_its_parent(shapes, build_dir):
         assert is_alive(pid)
         parent.send_signal(signal.SIGKILL)
     assert ends_within(LARGEST_DELAY, pid)
+
+
+@pytest.fixture
+def unread(shapes):
+    return core.references(shapes / "ball.brep", ["Solid1", "Face1"], read=False)
+
+
+def test_distances_are_those_of_this_process(shapes, unread):
+    points = np.random.default_rng(6).uniform(-15, 15, (3000, 3))
+    control = core.RunControl()
+    found = worker.distances(unread, points, control)
+    assert np.array_equal(found, core.distances(unread, points)) and found.dtype == np.float64
+    assert control.progress().stage == "distances"
+    box = core.references(shapes / "box.brep", ["Face1"], read=False)
+    with worker.start_distances([*box, *unread], points[:2].tolist()) as run:
+        assert run.wait(30)
+        both = run.result()
+    assert both.shape == (2, 3) and np.array_equal(both[:, 1:], found[:2])
+    assert worker.distances(unread, np.empty((0, 3))).shape == (0, 2)
+    assert worker.distances([], points).shape == (3000, 0)
+
+
+def test_refusals_to_measure_are_those_of_this_process(shapes, unread):
+    lost = core.references(shapes / "ball.brep", ["Face2"], read=False)
+    broken = core.references(shapes / "open.brep", ["Face1"], read=False)
+    for references, points in ((lost, np.zeros((1, 3))), (broken, np.zeros((1, 3))), (unread, np.zeros(3))):
+        with pytest.raises(core.Error) as here:
+            core.distances(references, points)
+        with pytest.raises(core.Error) as there:
+            worker.distances(references, points)
+        assert (there.type, str(there.value)) == (here.type, str(here.value))
+
+
+def test_measuring_is_guarded_as_meshing_is(child_that, unread):
+    points = np.zeros((1, 3))
+    child_that("os.abort()", "distances")
+    with pytest.raises(worker.Crashed, match="the measuring process crashed"):
+        worker.distances(unread, points)
+    child_that(HANG, "distances")
+    control = core.RunControl()
+    control.set_limits(1.0)
+    with pytest.raises(core.Cancelled, match="time limit"):
+        worker.distances(unread, points, control)
+    with worker.start_distances(unread, points, control) as run:
+        control.cancel()
+        assert run.wait(LARGEST_DELAY)
+        with pytest.raises(core.Cancelled):
+            run.result()

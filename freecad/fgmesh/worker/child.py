@@ -2,8 +2,8 @@
 """The child process: takes one request, tells its progress, answers, ends.
 
 Arguments: the numbers of two open files in memory, for the request (a line of JSON, then the shapes: that to
-mesh, and those of references) and for the arrays of the answer. Standard output takes messages, a line of JSON each: ["progress", [stage, fraction,
-tets]], and at last ["result", packed] or ["error", {name, text, position, place}]. Standard input never says
+mesh, and those of references) and for arrays, those of the request and behind them those of the answer. Standard
+output takes messages, a line of JSON each: ["progress", [stage, fraction, tets]], and at last ["result", packed] or ["error", {name, text, position, place}]. Standard input never says
 anything: it ends when the parent does.
 """
 import contextlib
@@ -17,7 +17,8 @@ import time
 import traceback
 
 from freecad.fgmesh import core
-from freecad.fgmesh.worker.transfer import pack
+from freecad.fgmesh.worker.tasks import TASKS
+from freecad.fgmesh.worker.transfer import mapped, pack
 
 PROGRESS_SECONDS = 0.1
 
@@ -71,9 +72,8 @@ def _answer(request, shapes, arrays, send):
     threading.Thread(target=_tell_progress, args=(control, send), daemon=True).start()
     try:
         _limit_data(request["memory_limit_mb"])
-        materials = list(_materials(request["materials"], shapes))
-        result = core.generate_mesh(shapes[0], materials, core.MeshingOptions(**request["options"]), control)
-        return "result", pack(result._result, arrays)  # what is computed from it need not travel
+        task = TASKS[request["task"]]
+        return "result", pack(task.answer(request["asked"], shapes, mapped(arrays.fileno()), control), arrays)
     except Exception as error:
         return "error", {
             "name": type(error).__name__,
@@ -83,22 +83,6 @@ def _answer(request, shapes, arrays, send):
         }
     finally:
         send("progress", _progress(control))
-
-
-def _materials(asked, shapes):
-    """The materials, whose references `core.generate_mesh` reads."""
-    made = {}  # the same object for solids with the same material, which is then evaluated once
-    for arguments in asked:
-        text = json.dumps(arguments)
-        if text not in made:
-            made[text] = _material(arguments, shapes)
-        yield made[text]
-
-
-def _material(arguments, shapes):
-    asked = arguments.pop("references")
-    unread = [core.references(shapes[place], [name], read=False)[0] for place, name in asked]
-    return core.Material(**arguments, references=unread)
 
 
 def _tell_progress(control, send):

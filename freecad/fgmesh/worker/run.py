@@ -14,7 +14,7 @@ import time
 from pathlib import Path
 
 from freecad.fgmesh import core
-from freecad.fgmesh.worker.transfer import unpack
+from freecad.fgmesh.worker.transfer import mapped, unpack
 
 WATCH_SECONDS = 0.05
 LAST_WORDS = 4000
@@ -33,50 +33,26 @@ CRASHES = {
 
 
 class Crashed(core.GeometryError):
-    """The process that meshed the shape has crashed."""
-
-
-def generate_mesh(brep, material, options=None, control=None):
-    """As `core.generate_mesh`, in a child process. Raises Crashed, too, a GeometryError."""
-    with start(brep, material, options, control) as run:
-        run.wait()
-        return run.result()
-
-
-def start(brep, material, options=None, control=None):
-    """Start the child process for what `core.generate_mesh` takes. Gives the Run.
-
-    `control` shows the progress while the Run is waited for; its cancel() and limits kill the child.
-    """
-    options = core.MeshingOptions() if options is None else options
-    control = core.RunControl() if control is None else control
-    return Run(core.read_shape(brep), material, options, control)
+    """The child process has crashed on the shape."""
 
 
 class Run:
-    """A child process at work. To be used by one thread; `with` ends the child where it still runs."""
+    """A child process at work on one of `tasks`. To be used by one thread; `with` ends the child where it still
+    runs. `control` (RunControl) shows the progress while the Run is waited for; its cancel() and limits kill the
+    child.
+    """
 
-    def __init__(self, shape, materials, options, control):
-        self._control = control
-        self._threshold = options.material_threshold
+    def __init__(self, task, control=None):
+        self._control = control = core.RunControl() if control is None else control
+        self._task = task
         self._memory_limit_mb = control.memory_limit_mb() or 0.9 * _available_memory_mb()
         self._answer = self._stopped = None
         self._ended = False
         self._unread = self._last_words = b""
-        shapes = [shape]
-        request = {
-            "materials": [_plain(material, shapes) for material in core.list_of(materials)],
-            "shapes": [len(text) for text in shapes],
-            "options": options.as_dict(),
-            "memory_limit_mb": self._memory_limit_mb,
-        }
-        self._reading_limit = READING_SECONDS + READING_SECONDS_PER_MB * sum(request["shapes"]) / 1e6
         self._arrays = os.memfd_create("fgmesh-arrays")
         requested = os.memfd_create("fgmesh-request")
         try:
-            with os.fdopen(os.dup(requested), "wb") as file:
-                file.write(json.dumps(request).encode() + b"\n" + b"".join(shapes))
-            os.lseek(requested, 0, os.SEEK_SET)
+            self._write_request(requested)
             self._process = _spawn(requested, self._arrays)
         except BaseException:
             os.close(self._arrays)
@@ -86,6 +62,21 @@ class Run:
         self._selector = selectors.DefaultSelector()
         self._selector.register(self._process.stdout, selectors.EVENT_READ, self._read_messages)
         self._selector.register(self._process.stderr, selectors.EVENT_READ, self._read_chatter)
+
+    def _write_request(self, requested):
+        shapes = []
+        with os.fdopen(os.dup(self._arrays), "wb") as arrays:
+            asked = self._task.request(shapes, arrays)
+        request = {
+            "task": type(self._task).__name__,
+            "asked": asked,
+            "shapes": [len(text) for text in shapes],
+            "memory_limit_mb": self._memory_limit_mb,
+        }
+        self._reading_limit = READING_SECONDS + READING_SECONDS_PER_MB * sum(request["shapes"]) / 1e6
+        with os.fdopen(os.dup(requested), "wb") as file:
+            file.write(json.dumps(request).encode() + b"\n" + b"".join(shapes))
+        os.lseek(requested, 0, os.SEEK_SET)
 
     def __enter__(self):
         return self
@@ -109,7 +100,7 @@ class Run:
         return self._ended
 
     def result(self):
-        """The core.MeshingResult of a run that has ended; raises what generate_mesh raises."""
+        """What the function in `core` gives, of a run that has ended; raises what that raises, and Crashed."""
         if not self._ended:
             raise RuntimeError("the run has not ended: wait() for it")
         if not self._answer:
@@ -117,8 +108,7 @@ class Run:
         kind, value = self._answer
         if kind == "error":
             raise self._error(**value)
-        memory = mmap.mmap(self._arrays, 0, access=mmap.ACCESS_READ)
-        return core.MeshingResult(unpack(value, memory), self._threshold)
+        return self._task.result(unpack(value, mapped(self._arrays)))
 
     def close(self):
         """End the child where it still runs, and give back what it took; after result(), whose arrays stay."""
@@ -190,7 +180,7 @@ class Run:
         kind = getattr(core, name, None)
         if not (isinstance(kind, type) and issubclass(kind, core.Error)):
             fault = RuntimeError(f"{name}: {text}")
-            fault.add_note(f"In the meshing process:\n{place}")
+            fault.add_note(f"In the {self._task.process}:\n{place}")
             return fault
         error = kind(text)
         if position is not None:
@@ -203,16 +193,16 @@ class Run:
             return self._stopped
         status = self._process.returncode
         if status >= 0:
-            return RuntimeError(f"the meshing process ended with exit status {status}{self._words()}")
+            return RuntimeError(f"the {self._task.process} ended with exit status {status}{self._words()}")
         number = signal.Signals(-status)
         if number in CRASHES:
             return Crashed(
-                f"the meshing process crashed ({number.name}, {signal.strsignal(number)}){self._place()}"
+                f"the {self._task.process} crashed ({number.name}, {signal.strsignal(number)}){self._place()}"
                 f"{self._words()}. The shape is more than OpenCASCADE or CGAL can bear: check its geometry "
                 "and repair it, or export it again from its source"
             )
         memory = ", as the system does where memory runs out" if number == signal.SIGKILL else ""
-        return core.Cancelled(f"{number.name} ended the meshing process{memory}{self._place()}")
+        return core.Cancelled(f"{number.name} ended the {self._task.process}{memory}{self._place()}")
 
     def _memory_limit_reached(self):
         return f"the memory limit of {self._memory_limit_mb:.0f} MB was reached"
@@ -252,25 +242,6 @@ def _spawn(*files):
         pass_fds=files,
         env={**os.environ, "PYTHONPATH": path},
     )
-
-
-def _plain(material, shapes):
-    """The arguments of core.Material, as JSON can hold them.
-
-    A reference becomes the place of its shape in `shapes`, to which it is added where it is new, and its name.
-    """
-    references = []
-    for reference in material.references:
-        if reference.shape not in shapes:
-            shapes.append(reference.shape)
-        references.append((shapes.index(reference.shape), reference.name))
-    return {
-        "fractions": material.fractions,
-        "parameters": material.parameters,
-        "origin": list(material.origin),
-        "rotation": material.rotation.tolist(),
-        "references": references,
-    }
 
 
 def _available_memory_mb():

@@ -1,11 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Values on their way between processes: arrays through a file in memory, all else as JSON."""
+import mmap
+import os
 from types import SimpleNamespace
 
 import numpy as np
 
 ALIGNMENT = 64
 """Bytes: where arrays begin, so that reading them in place is as quick as from memory of their own."""
+
+
+def mapped(file):
+    """A buffer with the content of an open file, by its number, for `unpack`."""
+    return mmap.mmap(file, 0, access=mmap.ACCESS_READ) if os.fstat(file).st_size else b""
 
 
 def pack(value, file):
