@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A meshing result as a Fem mesh of FreeCAD's, with groups for solids, faces, edges and vertices."""
 import Fem
+import numpy as np
 
 from freecad.fgmesh.io.groups import cell_groups, node_groups
 
 # FreeCAD numbers the nodes of a tetrahedron in the opposite sense to VTK: given in VTK's order, CalculiX
-# finds a negative Jacobian in each.
+# finds a negative Jacobian in each. Each of these orders takes itself back.
 _NODES = {4: [1, 0, 2, 3], 10: [1, 0, 2, 3, 4, 6, 5, 8, 7, 9]}
 
 
@@ -32,6 +33,14 @@ def to_fem_mesh(result):
     for name, nodes in node_groups(result):
         _add_group(mesh, f"{name}_Nodes", "Node", nodes + 1)
     return mesh
+
+
+def points_and_tets(mesh):
+    """Points (n, 3) and tets (m, 4 or 10), as in the core.MeshingResult that `mesh`, a Fem.FemMesh, was made of."""
+    points = np.array([tuple(point) for point in mesh.Nodes.values()]).reshape(-1, 3)
+    rows = [mesh.getElementNodes(number) for number in mesh.Volumes]
+    tets = np.array(rows, np.int32).reshape(len(rows), len(rows[0]) if rows else 4) - 1
+    return points, tets[:, _NODES[tets.shape[1]]]
 
 
 def _add_group(mesh, name, kind, numbers):

@@ -32,6 +32,7 @@ class ColourBar:
         self._callback.setCallback(_fit, weakref.ref(self))
         overlay = coin.SoAnnotation()
         for node in (
+            coin.SoResetTransform(),
             self._callback,
             self._camera,
             *_plain_look(),

@@ -20,7 +20,7 @@ shape, and no colour is taken for another of the scale."""
 class ColouredFaces:
     """`root`, a scene node with faces, cut faces and edges over common points; it cannot be picked."""
 
-    def __init__(self):
+    def __init__(self, edge_width=1.5):
         self._points, self._normals = coin.SoCoordinate3(), coin.SoNormal()
         self._places = coin.SoTextureCoordinate2()
         self._faces = _Faces(is_shaded=True)
@@ -30,7 +30,7 @@ class ColouredFaces:
         self._values = np.empty(0)
         self.root = coin.SoSeparator()
         for node in (
-            _unpickable(),
+            unpickable(),
             _hints(),
             self._points,
             self._normals,
@@ -39,17 +39,15 @@ class ColouredFaces:
             _binding(coin.SoTextureCoordinateBinding),
             self._faces.root,
             self._cap_group,
-            _edge_group(self._edges),
+            _edge_group(self._edges, edge_width),
         ):
             self.root.addChild(node)
 
     def set_points(self, points, normals, first=0):
         """points, normals (n, 3): take the places from `first` on, in place of all that was there; they have no
         values yet."""
-        for field, array in ((self._points.point, points), (self._normals.vector, normals)):
-            field.setNum(first + len(array))
-            if len(array):
-                field.setValues(first, len(array), np.ascontiguousarray(array, np.float32))
+        set_vectors(self._points.point, points, first)
+        set_vectors(self._normals.vector, normals, first)
         known = self._values[:first]
         self._values = np.concatenate([known, np.full(first + len(points) - len(known), np.nan)])
         self._places.point.setNum(len(self._values))
@@ -62,7 +60,7 @@ class ColouredFaces:
         for cap, own in zip(self._caps, caps):
             cap.triangles = own
             self._cap_group.addChild(cap.root)
-        _set_rows(self._edges, edges)
+        set_rows(self._edges, edges)
         self._show_faces()
 
     def set_values(self, values, low, high):
@@ -71,8 +69,7 @@ class ColouredFaces:
         texels = _FIRST + 0.5 + np.clip(self._values, -_FARTHEST, _FARTHEST) * (_LAST - _FIRST)
         places = np.full((len(texels), 2), 0.5, np.float32)
         places[:, 0] = np.nan_to_num(texels / _WIDTH)
-        self._places.point.setNum(len(places))
-        self._places.point.setValues(0, len(places), places)
+        set_vectors(self._places.point, places)
         self._show_faces()
 
     def _show_faces(self):
@@ -116,7 +113,7 @@ class _Faces:
             known, rest = self.triangles[~without], self.triangles[without]
         for node, rows in ((self._known, known), (self._unknown, rest)):
             if self._shown.get(id(node)) is not rows:
-                _set_rows(node, rows)
+                set_rows(node, rows)
                 self._shown[id(node)] = rows
 
 
@@ -132,7 +129,14 @@ def scale_texture():
     return texture
 
 
-def _set_rows(node, rows):
+def set_vectors(field, rows, first=0):
+    """Gives `field` the vectors `rows` (n, k) from its place `first` on, and no others behind them."""
+    field.setNum(first + len(rows))
+    if len(rows):
+        field.setValues(first, len(rows), np.ascontiguousarray(rows, np.float32))
+
+
+def set_rows(node, rows):
     """Gives an indexed shape the polygons or lines `rows` (m, k)."""
     numbers = np.full((len(rows), rows.shape[1] + 1), -1, np.int32)
     numbers[:, :-1] = rows
@@ -150,18 +154,18 @@ def _material(colour, is_shaded):
     return material
 
 
-def _edge_group(lines):
+def _edge_group(lines, width):
     group = coin.SoSeparator()
     light, colour, style = coin.SoLightModel(), coin.SoBaseColor(), coin.SoDrawStyle()
     light.model = coin.SoLightModel.BASE_COLOR
     colour.rgb = (0.08, 0.08, 0.1)
-    style.lineWidth = 1.5
+    style.lineWidth = width
     for node in (light, colour, style, lines):
         group.addChild(node)
     return group
 
 
-def _unpickable():
+def unpickable():
     style = coin.SoPickStyle()
     style.style = coin.SoPickStyle.UNPICKABLE
     return style
