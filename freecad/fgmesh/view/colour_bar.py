@@ -14,14 +14,19 @@ _CANVAS = (512, 1024)  # of the picture; powers of two, or Coin would stretch it
 _PADDING, _BAR_WIDTH, _BAR_HEIGHT, _TEXT, _GAP = 12, 20, 200, 13, 8
 _WIDEST_TITLE = 150
 _MARGIN = 16  # to the view's edge
-_COMMON_HEIGHT, _SMALL_HEIGHT = 1200, 420
+_COMMON_HEIGHT, _SMALL_HEIGHT = 1000, 480
 _STEPS = 5
 
 
 class ColourBar:
-    """`root`, a scene node that draws the bar at the left of any viewport, whatever the camera of the scene."""
+    """`root`, a scene node that draws the bar at the left of any viewport, whatever the camera of the scene. Of the bars
+    of one document only that which was shown last is seen."""
 
-    def __init__(self):
+    _shown = []  # weak references, the latest last
+
+    def __init__(self, document):
+        """document: its name."""
+        self._document = document
         self._camera, self._switch = coin.SoOrthographicCamera(), coin.SoSwitch()
         self._camera.viewportMapping = coin.SoCamera.LEAVE_ALONE
         self._texture, self._corners = coin.SoTexture2(), coin.SoCoordinate3()
@@ -43,8 +48,8 @@ class ColourBar:
         ):
             overlay.addChild(node)
         self._switch.addChild(overlay)
-        self.root = _without_bounds()
-        self.root.addChild(self._switch)
+        self.root = coin.SoSeparator()
+        self.root.addChild(_without_bounds(self._switch))
 
     def show(self, title, low, high, values):
         """Draws the scale from `low` to `high` under `title`, and a legend of the marks that `values` (n,) need."""
@@ -62,11 +67,19 @@ class ColourBar:
         self._texture_corners.point.setValues(0, 4, corners)
         width, height = self._size
         self._corners.point.setValues(0, 4, [(0, 0, 0), (width, 0, 0), (width, height, 0), (0, height, 0)])
-        self._switch.whichChild = coin.SO_SWITCH_ALL
+        self._take_turns(True)
 
     def close(self):
-        """Nothing is drawn from now on."""
+        """Nothing is drawn until show() is called again."""
+        self._take_turns(False)
+
+    def _take_turns(self, is_shown):
+        others = [ref for ref in ColourBar._shown if ref() not in (None, self)]
+        ColourBar._shown[:] = others + [weakref.ref(self)] * is_shown
+        mine = [bar for bar in (ref() for ref in ColourBar._shown) if bar._document == self._document]
         self._switch.whichChild = coin.SO_SWITCH_NONE
+        for bar in mine:
+            bar._switch.whichChild = coin.SO_SWITCH_ALL if bar is mine[-1] else coin.SO_SWITCH_NONE
 
     def fit(self, width, height):
         """Sets the camera for a viewport of so many pixels."""
@@ -167,7 +180,9 @@ def _plain_look():
     return light, depth, colour, style, draw, hints, complexity
 
 
-def _without_bounds():
-    """A group that does not count when the view is fitted to its content."""
-    kind = coin.SoType.fromName(coin.SbName("SoSkipBoundingGroup"))
-    return coin.SoSeparator() if kind.isBad() else kind.createInstance()
+def _without_bounds(content):
+    """A group with `content` that does not count when the view is fitted to what it shows."""
+    kind = coin.SoType.fromName(coin.SbName("SoSkipBoundingGroup"))  # FreeCAD's own
+    group = coin.SoSeparator() if kind.isBad() else kind.createInstance()
+    group.addChild(content)
+    return group

@@ -73,7 +73,7 @@ class MeshLook:
         self._fractions = np.array(mesh.Fractions, float)
         self._coloured, self._bar, self._marks = (
             ColouredFaces(edge_width=1.0),
-            ColourBar(),
+            ColourBar(mesh.Document.Name),
             coin.SoSeparator(),
         )
         self._hidden = Hidden(mesh)

@@ -35,7 +35,7 @@ class Preview:
         self.fixed = len(self._surface.points)
         self.points, self.solids = self._surface.points, self._surface.solids
 
-        self._faces, self._bar = ColouredFaces(), ColourBar()
+        self._faces, self._bar = ColouredFaces(), ColourBar(thing.Document.Name)
         self._moved = coin.SoSeparator()
         self._moved.addChild(_to_global(thing))
         self._moved.addChild(self._faces.root)
