@@ -1,29 +1,38 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Registers the workbench. FreeCAD imports this module when it starts with a GUI."""
+"""Registers the workbench. FreeCAD imports this module when it starts with a GUI: nothing heavy is loaded here."""
+from pathlib import Path
+
 import FreeCADGui
 
 from freecad.fgmesh.model import presentation
+from freecad.fgmesh.model.texts import TRANSLATE_LATER
 from freecad.fgmesh.view import ICON, mesh_view, progress
 
 presentation.show = mesh_view.show
 presentation.progress = progress.progress
 
+_ROOT = Path(__file__).absolute().parents[2]
+
+FreeCADGui.addLanguagePath(str(_ROOT / "translations"))
+FreeCADGui.updateLocale()
+
 
 class FGMeshWorkbench(FreeCADGui.Workbench):
-    MenuText = "FGMesh"
-    ToolTip = "Tetrahedral FEM meshes of functionally graded solids"
+    MenuText = TRANSLATE_LATER("Workbench", "FGMesh")
+    ToolTip = TRANSLATE_LATER("Workbench", "Tetrahedral FEM meshes of functionally graded solids")
     Icon = ICON
 
     def Initialize(self):
         # Only here, so that FreeCAD starts quickly, and starts where the compiled part is missing.
-        from freecad.fgmesh.commands.mesh import MeshCommand
+        from freecad.fgmesh import commands
 
-        FreeCADGui.addCommand("FGMesh_Mesh", MeshCommand())
-        self.appendToolbar("FGMesh", ["FGMesh_Mesh"])
-        self.appendMenu("&FGMesh", ["FGMesh_Mesh"])
+        names = commands.add_all()
+        self.appendToolbar("FGMesh", names)
+        self.appendMenu("&FGMesh", names)
 
     def GetClassName(self):
         return "Gui::PythonWorkbench"
 
 
 FreeCADGui.addWorkbench(FGMeshWorkbench())
+FreeCADGui.addPreferencePage(str(Path(__file__).absolute().parent / "panels" / "preferences.ui"), "FGMesh")

@@ -46,7 +46,17 @@ def draw_cut(points, tets, fraction, path):
 
 def draw_variation(report, path):
     """Writes to `path` (.png) how the variation is distributed over the tetrahedra, stage by stage."""
-    figure, axes = _stage_axes(report, "Variation of composition in a tetrahedron", "share of tetrahedra")
+    _save(plot_variation, report, path)
+
+
+def draw_dihedral(report, path):
+    """Writes to `path` (.png) how the dihedral angles are distributed, stage by stage."""
+    _save(plot_dihedral, report, path)
+
+
+def plot_variation(report, figure):
+    """Fills a matplotlib Figure: how the variation is distributed over the tetrahedra, stage by stage."""
+    axes = _stage_axes(figure, report, "Variation of composition in a tetrahedron", "share of tetrahedra")
     for axis, stage in zip(axes, report["stages"]):
         _draw_bars(axis, stage["variation"]["histogram"])
         axis.axvline(report["threshold"], color="0.3", linestyle="--", linewidth=1)
@@ -54,37 +64,39 @@ def draw_variation(report, path):
         cut_off = stage["variation"]["max"] > stage["variation"]["histogram"]["high"]
         note = "\nlast bar: all above" if cut_off else ""
         _annotate(axis, stage["variation"], "mean {mean:.4f}\nmax {max:.4f}" + note)
-    figure.savefig(path, dpi=120)
 
 
-def draw_dihedral(report, path):
-    """Writes to `path` (.png) how the dihedral angles are distributed, stage by stage."""
-    figure, axes = _stage_axes(report, "Dihedral angle, degrees", "share of angles")
+def plot_dihedral(report, figure):
+    """Fills a matplotlib Figure: how the dihedral angles are distributed, stage by stage."""
+    axes = _stage_axes(figure, report, "Dihedral angle, degrees", "share of angles")
     for axis, stage in zip(axes, report["stages"]):
         _draw_bars(axis, stage["dihedral"]["histogram"])
         axis.set_xlim(0, 180)
         axis.set_xticks(range(0, 181, 30))
         _annotate(axis, stage["dihedral"], "min {min:.2f}°\nmax {max:.2f}°")
+
+
+def _save(plot, report, path):
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(4.2 * len(report["stages"]), 3.4))
+    plot(report, figure)
     figure.savefig(path, dpi=120)
 
 
-def _stage_axes(report, horizontal, vertical):
-    import matplotlib
-
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
+def _stage_axes(figure, report, horizontal, vertical):
+    from matplotlib.ticker import PercentFormatter
 
     stages = report["stages"]
-    figure, axes = pyplot.subplots(
-        1, len(stages), figsize=(4.2 * len(stages), 3.4), squeeze=False, constrained_layout=True
-    )
+    figure.set_constrained_layout(True)
+    axes = figure.subplots(1, len(stages), squeeze=False)
     for axis, stage in zip(axes[0], stages):
         axis.set_title(f"{STAGE_NAMES[stage['name']]}: {stage['tets']} tetrahedra")
         axis.set_xlabel(horizontal)
-        axis.yaxis.set_major_formatter(matplotlib.ticker.PercentFormatter(1.0, decimals=0))
+        axis.yaxis.set_major_formatter(PercentFormatter(1.0, decimals=0))
         axis.spines[["top", "right"]].set_visible(False)
     axes[0, 0].set_ylabel(vertical)
-    return figure, axes[0]
+    return axes[0]
 
 
 def _draw_bars(axis, histogram):

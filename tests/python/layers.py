@@ -39,7 +39,7 @@ PYTHON_LAYERS = {
     "model": {"core"},
     "fem": {"core", "io", "model", "worker"},
     "view": MODEL | {"colours", "fem"},
-    "panels": MODEL | {"colours", "fem", "view", "worker"},
+    "panels": MODEL | {"colours", "fem", "io", "pictures", "view", "worker"},
     "commands": MODEL | {"colours", "fem", "view", "panels", "worker"},
     "init_gui": MODEL | {"colours", "fem", "view", "panels", "commands", "worker"},
     "__init__": MODEL | {"fem", "io", "pictures"},

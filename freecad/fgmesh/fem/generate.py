@@ -1,11 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Meshing from a document and back into it."""
-from freecad.fgmesh import core, worker
-from freecad.fgmesh.fem.fem_mesh import to_fem_mesh
-from freecad.fgmesh.model import fingerprint, graded_parts, mesh_object, presentation
-from freecad.fgmesh.model.options import options_of
-from freecad.fgmesh.model.references import stored_links
-from freecad.fgmesh.model.shapes import brep_text
+from freecad.fgmesh import core
+from freecad.fgmesh.fem import background
+from freecad.fgmesh.model import mesh_object, presentation
+from freecad.fgmesh.model.options import option_values
 from freecad.fgmesh.model.transaction import transaction
 
 POLL_SECONDS = 0.1
@@ -29,35 +27,19 @@ def generate(mesh, control=None, in_process=False):
             f"{getattr(mesh, 'Label', mesh)} is no mesh of FGMesh: make one with make_mesh()"
         )
     mesh_object.revive(mesh)
-    solid = _ready_solid(mesh)
-    taken = fingerprint.take(mesh)
-    control = control or core.RunControl()
-    asked = brep_text(solid.Shape), graded_parts.materials_of(solid), options_of(mesh), control
-    result = core.generate_mesh(*asked) if in_process else _in_child(*asked)
-    report, fem_mesh = core.report(result), to_fem_mesh(result)
+    request, result = background.adopted(mesh) or _made(mesh, control or core.RunControl(), in_process)
     with transaction(mesh.Document, "Generate graded mesh"):
-        mesh_object.store(mesh, fem_mesh, report, result.fraction.tolist(), taken)
+        request.store(mesh, result)
     return result
 
 
-def _in_child(brep, material, options, control):
-    with worker.start(brep, material, options, control) as run, presentation.progress() as show:
-        while not run.wait(POLL_SECONDS):
-            show(control)
-        return run.result()
-
-
-def _ready_solid(mesh):
-    solid = mesh.Shape
-    if solid is None:
-        raise core.InvalidInput(f"{mesh.Label} has lost its solid: set its Shape to a graded solid")
-    # The links of references are no dependencies, so that a solid can refer to its own faces.
-    links = [link for part, _ in graded_parts.graded_parts(solid) for link in stored_links(part)]
-    for thing in dict.fromkeys([*(thing for thing, name in links), solid]):
-        if any("Touched" in needed.State for needed in [thing, *thing.OutListRecursive]):
-            thing.recompute(True)
-    if not solid.isValid():
-        raise core.GeometryError(f"{solid.Label} cannot be computed: repair it in FreeCAD first")
-    if solid.Shape.isNull() or not solid.Shape.Solids:
-        raise core.GeometryError(f"{solid.Label} has no solid to mesh: make a solid of it first")
-    return solid
+def _made(mesh, control, in_process):
+    """(background.Request, core.MeshingResult)."""
+    if in_process:
+        request = background.Request(mesh.Shape, option_values(mesh))
+        return request, core.generate_mesh(*request.arguments, control)
+    with background.BackgroundRun(mesh.Shape, option_values(mesh), control) as run:
+        with presentation.progress() as show:
+            while not run.wait(POLL_SECONDS):
+                show(control)
+            return run.request, run.result()

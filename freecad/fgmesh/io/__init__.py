@@ -4,5 +4,15 @@
 from freecad.fgmesh.io.atomic import OutputError, replaced_together
 from freecad.fgmesh.io.mesh_file import EXTENSIONS, mesh_format, write_mesh
 from freecad.fgmesh.io.report_file import write_report
+from freecad.fgmesh.io.report_table import stage_rows, write_report_table
 
-__all__ = ["EXTENSIONS", "OutputError", "mesh_format", "replaced_together", "write_mesh", "write_report"]
+__all__ = [
+    "EXTENSIONS",
+    "OutputError",
+    "mesh_format",
+    "replaced_together",
+    "stage_rows",
+    "write_mesh",
+    "write_report",
+    "write_report_table",
+]

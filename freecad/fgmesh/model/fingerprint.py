@@ -11,17 +11,18 @@ import FreeCAD
 
 from freecad.fgmesh.model import graded_solid, references
 from freecad.fgmesh.model.graded_parts import graded_parts
-from freecad.fgmesh.model.options import option_values
+from freecad.fgmesh.model.options import shaping_values
 
 _SAVED_DIGITS = 1e-12  # numbers come back from a saved document with other last digits
 _SHAPE_DIGITS = 7  # of the part's size: far more than a mesh resolves, far fewer than OpenCASCADE computes
 
 
-def take(mesh):
-    """The fingerprint of what generate() would use for `mesh` at this moment."""
-    solid = mesh.Shape
+def take(solid, values):
+    """The fingerprint of what a mesh of `solid`, None where it was deleted, with these option values
+    (`options.option_values`) would be made from at this moment."""
+    options = shaping_values(values)
     if solid is None:
-        return {"shape": None, "options": option_values(mesh)}
+        return {"shape": None, "options": options}
     return {
         "shape": _shape_hash(solid.Shape),
         "placement": _numbers(solid.Placement),
@@ -31,7 +32,7 @@ def take(mesh):
             for part, _ in graded_parts(solid)
             if part != solid
         ],
-        "options": option_values(mesh),
+        "options": options,
     }
 
 

@@ -116,6 +116,12 @@ def material_of(solid, placement=None):
     return _material(solid.FGMFractions, parameters_of(solid), frame, links, solid, placement)
 
 
+def draft_material(solid, fractions, parameters, frame, links):
+    """The core.Material that attach_material() would give `solid`, in the coordinates of `solid.Shape`, for
+    looking at it before. Raises core.InvalidInput."""
+    return _material(fractions, parameters, solid.Placement.multiply(frame), links, solid)
+
+
 def plain_number(value):
     """`value`, a number or a FreeCAD quantity, as a float in FreeCAD's units (mm)."""
     try:

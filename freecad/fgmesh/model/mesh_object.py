@@ -13,14 +13,14 @@ from freecad.fgmesh import core
 from freecad.fgmesh.model import fingerprint, presentation
 from freecad.fgmesh.model.graded_parts import graded_parts
 from freecad.fgmesh.model.kept_meshes import KeptMeshes
-from freecad.fgmesh.model.options import OPTIONS, add_missing_options
+from freecad.fgmesh.model.options import OPTIONS, add_missing_options, option_values
 from freecad.fgmesh.model.stateless import Stateless
 from freecad.fgmesh.model.transaction import transaction
 
 NOT_MESHED = "not meshed yet"
 _NATIVE_TYPE = "Fem::FemMeshShapeBaseObjectPython"  # since FreeCAD 1.0, with a Shape link of its own
 _PLAIN_TYPE = "Fem::FemMeshObjectPython"
-_OPTION_NAMES = {option.property for option in OPTIONS}
+_OPTION_NAMES = {"Groups", *(option.property for option in OPTIONS)}
 
 # Prop_Output: a result does not touch the object that shows it. The rest follows from _lock_results().
 _OUTPUT = 8
@@ -140,7 +140,8 @@ def _status(mesh):
         return NOT_MESHED
     if mesh.FemMesh.VolumeCount != mesh.TetCount:
         return "out of date: the mesh cannot be brought back by undo; mesh again"
-    changed = fingerprint.changes(json.loads(mesh.Fingerprint), fingerprint.take(mesh))
+    now = fingerprint.take(mesh.Shape, option_values(mesh))
+    changed = fingerprint.changes(json.loads(mesh.Fingerprint), now)
     if changed:
         return "out of date: " + "; ".join(changed)
     report = json.loads(mesh.Report)

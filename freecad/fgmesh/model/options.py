@@ -3,9 +3,12 @@
 from typing import Any, NamedTuple
 
 from freecad.fgmesh import core
+from freecad.fgmesh.model.texts import TRANSLATE_LATER
 
 GROUP = "Meshing"
 STAGES = ["initial", "material", "geometry"]
+GROUP_KINDS = ["Solid", "Face", "Edge", "Vertex"]
+"""Parts of a shape that get groups in the Fem mesh."""
 
 
 class Option(NamedTuple):
@@ -21,75 +24,125 @@ OPTIONS = (
         "MaterialThreshold",
         "material_threshold",
         "App::PropertyFloat",
-        "Largest difference of composition allowed inside one tetrahedron, above 0 and at most 1",
+        TRANSLATE_LATER(
+            "FGMesh",
+            "Largest difference of composition allowed inside one tetrahedron, above 0 and at most 1",
+        ),
     ),
     Option(
         "SurfaceDeviation",
         "surface_deviation",
         "App::PropertyLength",
-        "Largest distance of the mesh's boundary to the true one; 0: the part's diagonal / 2000, "
-        "or less where the volume would be more than 0.5 % off",
+        TRANSLATE_LATER(
+            "FGMesh",
+            "Largest distance of the mesh's boundary to the true one; 0: the part's diagonal / 2000, "
+            "or less where the volume would be more than 0.5 % off",
+        ),
     ),
     Option(
         "MinSize",
         "min_size",
         "App::PropertyLength",
-        "No refinement makes edges shorter than this; 0: the part's diagonal / 2000",
+        TRANSLATE_LATER(
+            "FGMesh", "No refinement makes edges shorter than this; 0: the part's diagonal / 2000"
+        ),
     ),
     Option(
         "MaxSize",
         "max_size",
         "App::PropertyLength",
-        "Edges much longer than this are split; 0: the part's diagonal / 8",
+        TRANSLATE_LATER("FGMesh", "Edges much longer than this are split; 0: the part's diagonal / 8"),
     ),
     Option(
         "Anisotropy",
         "anisotropy",
         "App::PropertyFloat",
-        "Largest stretch of an element across the gradient; 1: isotropic (more is not available yet)",
+        TRANSLATE_LATER(
+            "FGMesh",
+            "Largest stretch of an element across the gradient; 1: isotropic (more is not available yet)",
+        ),
     ),
     Option(
         "SecondOrder",
         "order",
         "App::PropertyBool",
-        "Ten-node tetrahedra in place of four-node ones, with nodes on the true faces and edges",
+        TRANSLATE_LATER(
+            "FGMesh", "Ten-node tetrahedra in place of four-node ones, with nodes on the true faces and edges"
+        ),
     ),
-    Option("StopAfter", "stop_after", "App::PropertyEnumeration", "The last of the three stages to run"),
+    Option(
+        "StopAfter",
+        "stop_after",
+        "App::PropertyEnumeration",
+        TRANSLATE_LATER("FGMesh", "The last of the three stages to run"),
+    ),
     Option(
         "Threads",
         "threads",
         "App::PropertyInteger",
-        "Processors to use; without effect yet, one is used",
+        TRANSLATE_LATER("FGMesh", "Processors to use; without effect yet, one is used"),
         shapes_mesh=False,
     ),
     Option(
-        "Seed", "seed", "App::PropertyInteger", "Start of the random numbers; the same seed, the same mesh"
+        "Seed",
+        "seed",
+        "App::PropertyInteger",
+        TRANSLATE_LATER("FGMesh", "Start of the random numbers; the same seed, the same mesh"),
     ),
 )
+
+_SHAPING_NOTHING = {option.property for option in OPTIONS if not option.shapes_mesh}
 
 
 def add_missing_options(mesh):
     """Gives `mesh` the option properties that it has not, with their defaults: all of them to a new object,
     those of a later version to one from an old document."""
-    defaults = core.MeshingOptions()
+    defaults = default_values()
+    if "Groups" not in mesh.PropertiesList:
+        tip = f"Parts of the shape that get groups in the mesh: {', '.join(GROUP_KINDS)}"
+        mesh.addProperty("App::PropertyStringList", "Groups", GROUP, tip)
+        mesh.Groups = defaults["Groups"]
     for option in OPTIONS:
         if option.property in mesh.PropertiesList:
             continue
         mesh.addProperty(option.type, option.property, GROUP, option.tip)
         if option.property == "StopAfter":
             mesh.StopAfter = STAGES
-        setattr(mesh, option.property, _to_property(option, getattr(defaults, option.field)))
+        setattr(mesh, option.property, defaults[option.property])
 
 
 def option_values(mesh):
-    """{property: plain value} of the options that shape the mesh, for comparing and storing."""
-    return {o.property: _plain(getattr(mesh, o.property)) for o in OPTIONS if o.shapes_mesh}
+    """{property: plain value} of all options of `mesh`, for comparing and storing."""
+    return {"Groups": list(mesh.Groups), **{o.property: _plain(getattr(mesh, o.property)) for o in OPTIONS}}
+
+
+def default_values():
+    """As option_values() of a new mesh object."""
+    defaults = core.MeshingOptions()
+    return {
+        "Groups": GROUP_KINDS,
+        **{o.property: _to_property(o, getattr(defaults, o.field)) for o in OPTIONS},
+    }
+
+
+def shaping_values(values):
+    """Those of option_values() that another mesh comes from."""
+    return {name: value for name, value in values.items() if name not in _SHAPING_NOTHING}
+
+
+def meshing_options(values):
+    """The core.MeshingOptions of option_values(). Raises core.InvalidInput where one is out of range."""
+    unknown = set(values["Groups"]) - set(GROUP_KINDS)
+    if unknown:
+        raise core.InvalidInput(
+            f"Groups: {min(unknown)!r} is no kind of part; there are {', '.join(GROUP_KINDS)}"
+        )
+    return core.MeshingOptions(**{o.field: _to_field(o, values[o.property]) for o in OPTIONS})
 
 
 def options_of(mesh):
     """The core.MeshingOptions that `mesh` asks for. Raises core.InvalidInput where one is out of range."""
-    values = {o.field: _to_field(o, _plain(getattr(mesh, o.property))) for o in OPTIONS}
-    return core.MeshingOptions(**values)
+    return meshing_options(option_values(mesh))
 
 
 def _plain(value: Any):

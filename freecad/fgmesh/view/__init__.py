@@ -2,4 +2,12 @@
 """How the objects of this workbench look in FreeCAD's GUI."""
 from pathlib import Path
 
-ICON = str(Path(__file__).absolute().parents[3] / "icons" / "fgmesh.svg")
+_ICONS = Path(__file__).absolute().parents[3] / "icons"
+
+
+def icon(name):
+    """Path of the icon of that name."""
+    return str(_ICONS / f"{name}.svg")
+
+
+ICON = icon("fgmesh")

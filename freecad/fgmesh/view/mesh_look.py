@@ -49,6 +49,11 @@ def show_plain(mesh):
         holder.look = None
 
 
+def is_coloured(mesh):
+    """Whether another look than FreeCAD's own is shown."""
+    return getattr(_holder(mesh), "look", None) is not None
+
+
 def _look_of(mesh):
     """The look of `mesh`, made anew where the mesh is another than before."""
     holder = _holder(mesh)

@@ -1,7 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The mesh object in the tree and in the 3D view: FreeCAD's own Fem mesh display under an icon of ours."""
+"""The mesh object in the tree and in the 3D view: FreeCAD's own Fem mesh display under an icon of ours, which tells
+whether the mesh is up to date."""
+import FreeCADGui
+from PySide import QtGui
+
 from freecad.fgmesh.model.stateless import Stateless
-from freecad.fgmesh.view import ICON
+from freecad.fgmesh.view import icon
+from freecad.fgmesh.view.texts import translate
 
 
 class MeshView(Stateless):
@@ -11,10 +16,40 @@ class MeshView(Stateless):
         view.Proxy = self
 
     def getIcon(self):
-        return ICON
+        return icon("mesh" if self._up_to_date() else "mesh-outdated")
 
     def attach(self, view):
-        pass
+        self._mesh = view.Object
+
+    def updateData(self, mesh, name):
+        if name == "Status":
+            mesh.ViewObject.signalChangeIcon()
+        elif name == "Fingerprint" and getattr(self, "look", None) is not None:
+            self.look.close()  # it shows the mesh of before
+            self.look = None
+
+    def doubleClicked(self, view):
+        return self._open_panel(view.Object)
+
+    def setupContextMenu(self, view, menu):
+        action = QtGui.QAction(translate("Mesh again ..."), menu)
+        action.triggered.connect(lambda: self._open_panel(view.Object))
+        menu.addAction(action)
+
+    def _up_to_date(self):
+        # attach() has not been called where a document is being opened, nor on objects of old documents.
+        mesh = getattr(self, "_mesh", None)
+        return not getattr(mesh, "Status", "").startswith("out of date")
+
+    def _open_panel(self, mesh):
+        """By the command, which FreeCAD knows once the workbench has been active."""
+        if FreeCADGui.Control.activeDialog():
+            return False
+        FreeCADGui.activateWorkbench("FGMeshWorkbench")
+        FreeCADGui.Selection.clearSelection()
+        FreeCADGui.Selection.addSelection(mesh)
+        FreeCADGui.runCommand("FGMesh_Mesh")
+        return True
 
 
 def show(mesh):

@@ -10,7 +10,7 @@ cancelling and limits end even a run that listens to nothing, and without a memo
 of nine tenths of what is available at the start. They take a tenth of a second longer, to start the process.
 `start` and `start_distances` do not wait, and give a `Run` to be asked now and then.
 """
-from freecad.fgmesh.worker.run import Crashed, Run
+from freecad.fgmesh.worker.run import Crashed, Run, available_memory_mb
 from freecad.fgmesh.worker.functions import distances, generate_mesh, start, start_distances
 
-__all__ = ["Crashed", "Run", "distances", "generate_mesh", "start", "start_distances"]
+__all__ = ["Crashed", "Run", "available_memory_mb", "distances", "generate_mesh", "start", "start_distances"]

@@ -45,7 +45,7 @@ class Run:
     def __init__(self, task, control=None):
         self._control = control = core.RunControl() if control is None else control
         self._task = task
-        self._memory_limit_mb = control.memory_limit_mb() or 0.9 * _available_memory_mb()
+        self._memory_limit_mb = control.memory_limit_mb() or 0.9 * available_memory_mb()
         self._answer = self._stopped = None
         self._ended = False
         self._unread = self._last_words = b""
@@ -244,7 +244,8 @@ def _spawn(*files):
     )
 
 
-def _available_memory_mb():
+def available_memory_mb():
+    """Memory that a run could use, MB, by the system's account."""
     with open("/proc/meminfo", encoding="ascii") as file:
         sizes = dict(line.split(":") for line in file)
     return int(sizes["MemAvailable"].split()[0]) * 1024 / 1e6

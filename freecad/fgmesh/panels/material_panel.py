@@ -1,0 +1,226 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The panel in which a solid gets its graded material. The document changes on OK alone."""
+import re
+
+import FreeCADGui
+import numpy as np
+from PySide import QtCore, QtGui
+
+from freecad.fgmesh import core
+from freecad.fgmesh.model import constituents, gradings, preferences
+from freecad.fgmesh.model.macro_text import document_text
+from freecad.fgmesh.model.material_draft import MaterialDraft
+from freecad.fgmesh.panels.formula_edit import FormulaEdit
+from freecad.fgmesh.panels.frame_box import FrameBox
+from freecad.fgmesh.panels.message_label import MessageLabel
+from freecad.fgmesh.panels.parameter_table import ParameterTable
+from freecad.fgmesh.panels.preview_box import PreviewBox
+from freecad.fgmesh.panels.reference_list import ReferenceList
+from freecad.fgmesh.view import icon
+from freecad.fgmesh.view.recording import recorded
+from freecad.fgmesh.view.texts import translate
+
+_SLACK = 1e-9
+"""Rounding that is no reason for a warning about fractions outside [0, 1]."""
+
+_WAIT_MILLISECONDS = 30  # for the next key; the preview follows within 200
+
+
+class MaterialPanel:
+    """The material of `solids`, one for all of them; what the first has is shown at the start."""
+
+    def __init__(self, solids):
+        self.solids, self._first = solids, solids[0]
+        self._missing_name = None
+        self._timer = QtCore.QTimer()
+        self._timer.setSingleShot(True)
+        self._timer.setInterval(_WAIT_MILLISECONDS)
+        self._timer.timeout.connect(self._refresh)
+        self._make_widgets()
+        self.form = [self._material_box(), self.preview]
+        self._connect()
+        self._show(MaterialDraft.of(self._first))
+        self.preview.setChecked(preferences.preview_at_start())
+        self._refresh()
+
+    # What FreeCAD asks of a panel.
+
+    def getStandardButtons(self):
+        return int(QtGui.QDialogButtonBox.Ok | QtGui.QDialogButtonBox.Cancel)
+
+    def accept(self):
+        draft = self.draft()
+        try:
+            with recorded(self._first.Document, translate("Set graded material")) as run:
+                for solid in self.solids:
+                    for line in draft.script(solid):
+                        run(line)
+                run(f"{document_text(self._first.Document)}.recompute()")
+        except Exception as error:  # FreeCAD turns ours into its own
+            self.message.complain(str(error))
+            return False
+        return self._close()
+
+    def reject(self):
+        return self._close()
+
+    # What the panel shows.
+
+    def draft(self):
+        """The MaterialDraft that is shown."""
+        names = [combo.currentText().strip() for combo in self.constituents]
+        return MaterialDraft(
+            names if all(names) else [],
+            [self.formula.formula()],
+            self.parameters.parameters(),
+            self.frame.frame(),
+            self.references.links(),
+        )
+
+    def _show(self, draft):
+        for combo, name in zip(self.constituents, draft.constituents or ["", ""]):
+            combo.setEditText(name)
+        self.formula.set_formula(draft.fractions[0])
+        self.parameters.set_parameters(draft.parameters)
+        self.frame.set_frame(draft.frame)
+        self.references.set_links(draft.references)
+
+    def _make_widgets(self):
+        names = constituents.available(self._first.Document)
+        self.constituents = [QtGui.QComboBox(), QtGui.QComboBox()]
+        for number, combo in enumerate(self.constituents, 1):
+            combo.setObjectName(f"FGMeshConstituent{number}")
+            combo.setEditable(True)
+            combo.addItem("")
+            combo.addItems(names)
+            # Some names are longer than the dock is wide.
+            combo.setSizePolicy(QtGui.QSizePolicy.Ignored, QtGui.QSizePolicy.Fixed)
+        self.grading = QtGui.QComboBox()
+        self.grading.setObjectName("FGMeshGrading")
+        self.grading.setSizePolicy(QtGui.QSizePolicy.Ignored, QtGui.QSizePolicy.Fixed)
+        self.grading.addItem(translate("Ready gradings ..."))
+        for number, grading in enumerate(gradings.GRADINGS, 1):
+            self.grading.addItem(translate(grading.name))
+            self.grading.setItemData(number, translate(grading.tip), QtCore.Qt.ToolTipRole)
+        self.formula = FormulaEdit()
+        self.formula.setObjectName("FGMeshFormula")
+        self.formula.setToolTip(
+            translate(
+                "Volume fraction of the first constituent, 0 to 1, over x y z r theta d (mm, radians, in the "
+                "material's frame), the parameters, and d1 d2 ..., the distances to the references"
+            )
+        )
+        self.message = MessageLabel()
+        self.message.setObjectName("FGMeshFormulaMessage")
+        self.make_parameter = QtGui.QPushButton()
+        self.make_parameter.setObjectName("FGMeshMakeParameter")
+        self.make_parameter.hide()
+        self.parameters = ParameterTable(self._first)
+        self.frame = FrameBox(self._first)
+        self.references = ReferenceList()
+        self.preview = PreviewBox(self._first)
+
+    def _material_box(self):
+        box = QtGui.QWidget()
+        names = ", ".join(solid.Label for solid in self.solids)
+        box.setWindowTitle(translate("Graded material of {}").format(names))
+        box.setWindowIcon(QtGui.QIcon(icon("material")))
+        form = QtGui.QFormLayout(box)
+        form.setContentsMargins(4, 4, 4, 4)
+        form.setRowWrapPolicy(QtGui.QFormLayout.WrapLongRows)
+        form.addRow(translate("Constituent 1"), self.constituents[0])
+        form.addRow(translate("Constituent 2"), self.constituents[1])
+        form.addRow(self.grading)
+        form.addRow(QtGui.QLabel(translate("Volume fraction of constituent 1")))
+        form.addRow(self.formula)
+        form.addRow(self.message)
+        form.addRow(self.make_parameter)
+        form.addRow(self.parameters)
+        form.addRow(QtGui.QLabel(translate("Frame of x y z r theta d")))
+        form.addRow(self.frame)
+        form.addRow(QtGui.QLabel(translate("References of d1 d2 ...")))
+        form.addRow(self.references)
+        return box
+
+    def _connect(self):
+        self.grading.activated.connect(self._use_grading)
+        self.formula.textChanged.connect(self._timer.start)
+        self.parameters.edited.connect(self._timer.start)
+        self.frame.edited.connect(self._timer.start)
+        self.frame.failed.connect(self.message.complain)
+        self.references.edited.connect(self._timer.start)
+        self.make_parameter.clicked.connect(self._add_missing_parameter)
+        for combo in self.constituents:
+            combo.currentTextChanged.connect(self._constituents_changed)
+        self.preview.looked_at.connect(self._tell_range)
+        self.preview.failed.connect(lambda error: self.message.complain(str(error)))
+
+    def _constituents_changed(self):
+        self.preview.set_constituents([combo.currentText().strip() for combo in self.constituents])
+
+    def _use_grading(self, row):
+        if row == 0:
+            return
+        grading = gradings.GRADINGS[row - 1]
+        frame = self._first.Placement.multiply(self.frame.frame())
+        self.parameters.set_parameters(gradings.fitted(grading, self._first.Shape, frame))
+        self.formula.set_formula(grading.formula)
+        self.references.pick_until(grading.references)
+        self._refresh()
+
+    def _refresh(self):
+        """Checks what is written, marks what is wrong, has the preview follow."""
+        self._timer.stop()
+        self._missing_name = None
+        position = None
+        try:
+            material = self.draft().material(self._first)
+        except core.FormulaError as error:
+            position = error.position
+            self._complain_of_formula(error)
+        except core.Error as error:
+            self.message.complain(str(error))
+        else:
+            self.message.say("")
+            self.preview.set_materials([material])
+        self.formula.mark(position)
+        self.make_parameter.setVisible(self._missing_name is not None)
+        if self.message.kind == "error":
+            self.preview.set_materials([])
+
+    def _complain_of_formula(self, error):
+        formula = self.formula.formula()
+        if not formula:
+            self.message.say(translate("Write a formula, or choose a ready grading above"))
+            return
+        self.message.complain(str(error))
+        word = re.match(rb"[A-Za-z]\w*(?!\w*\s*\()", formula.encode()[error.position :])
+        if word and not re.fullmatch(rb"[dst][0-9]+", word.group()) and "unknown name" in str(error):
+            self._missing_name = word.group().decode()
+            self.make_parameter.setText(translate("Make {} a parameter").format(self._missing_name))
+
+    def _add_missing_parameter(self):
+        if self._missing_name is not None:
+            self.parameters.add(self._missing_name)
+
+    def _tell_range(self, low, high, missing):
+        if self.message.kind == "error":
+            return
+        if np.isnan(low):
+            self.message.complain(translate("The formula is not defined anywhere on the solid"))
+            return
+        text = translate("On the solid: {} to {}").format(f"{low:.4g}", f"{high:.4g}")
+        if missing > 0:
+            self.message.warn(text + translate("; not defined in {} % of it").format(f"{100 * missing:.2g}"))
+        elif low < -_SLACK or high > 1 + _SLACK:
+            self.message.warn(text + translate("; a volume fraction must stay between 0 and 1"))
+        else:
+            self.message.say(text)
+
+    def _close(self):
+        self._timer.stop()
+        self.frame.stop_picking()
+        self.references.stop_picking()
+        self.preview.close_preview()
+        FreeCADGui.Control.closeDialog()
+        return True

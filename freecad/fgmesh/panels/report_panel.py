@@ -1,0 +1,203 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The panel that shows how good a mesh is: the table of stages, histograms, the worst tetrahedra, a cut."""
+import json
+
+import FreeCAD
+import FreeCADGui
+import numpy as np
+from PySide import QtCore, QtGui
+
+from freecad.fgmesh import pictures
+from freecad.fgmesh.fem.fem_mesh import points_and_tets
+from freecad.fgmesh.io import stage_rows, write_report_table
+from freecad.fgmesh.model.tet_figures import smallest_dihedral_angles, variations
+from freecad.fgmesh.panels.message_label import MessageLabel
+from freecad.fgmesh.view import icon, mesh_look
+from freecad.fgmesh.view.texts import translate
+
+_AXES = {"X": (1, 0, 0), "Y": (0, 1, 0), "Z": (0, 0, 1)}
+_STEPS = 200
+_WORST = 20  # tetrahedra that are shown
+
+FRACTION, PLAIN, SMALLEST_ANGLES, LARGEST_VARIATION = range(4)
+"""What the view shows."""
+
+
+class ReportPanel:
+    """Figures of `mesh`, a mesh object that has been generated; nothing in the document changes."""
+
+    def __init__(self, mesh):
+        self.mesh, self.report = mesh, json.loads(mesh.Report)
+        self._was_coloured = mesh_look.is_coloured(mesh)
+        self.form = [self._figures_box(), self._view_box()]
+        self._show_look()
+
+    # What FreeCAD asks of a panel.
+
+    def getStandardButtons(self):
+        return int(QtGui.QDialogButtonBox.Close)
+
+    def reject(self):
+        if self._was_coloured:
+            mesh_look.colour_by_fraction(self.mesh)
+        else:
+            mesh_look.show_plain(self.mesh)
+        FreeCADGui.Control.closeDialog()
+        return True
+
+    # What the buttons do.
+
+    def save_picture(self, path):
+        """Writes the histogram that is shown."""
+        self.figure.savefig(path, dpi=120)
+
+    def save_table(self, path):
+        write_report_table(self.report, path)
+
+    def _figures_box(self):
+        box = QtGui.QWidget()
+        box.setWindowTitle(translate("Report of {}").format(self.mesh.Label))
+        box.setWindowIcon(QtGui.QIcon(icon("report")))
+        layout = QtGui.QVBoxLayout(box)
+        self.message = MessageLabel()
+        (self.message.say if self.mesh.Status == "ok" else self.message.warn)(self.mesh.Status)
+        layout.addWidget(self.message)
+        layout.addWidget(self._table())
+        self.kind = QtGui.QComboBox()
+        self.kind.setObjectName("FGMeshHistogram")
+        self.kind.addItems([translate("Variation of composition"), translate("Dihedral angles")])
+        self.kind.currentIndexChanged.connect(lambda: self._plot())
+        layout.addWidget(self.kind)
+        layout.addWidget(self._canvas())
+        for line in self.report["messages"]:
+            label = MessageLabel()
+            label.say(line)
+            layout.addWidget(label)
+        row = QtGui.QHBoxLayout()
+        for title, name, save in (
+            (translate("Save picture ..."), "FGMeshSavePicture", self._ask_picture),
+            (translate("Save table ..."), "FGMeshSaveTable", self._ask_table),
+        ):
+            button = QtGui.QPushButton(title)
+            button.setObjectName(name)
+            button.clicked.connect(save)
+            row.addWidget(button)
+        layout.addLayout(row)
+        return box
+
+    def _table(self):
+        rows = stage_rows(self.report)
+        table = QtGui.QTableWidget(len(rows), 1 + len(self.report["stages"]))
+        table.setObjectName("FGMeshStages")
+        table.setHorizontalHeaderLabels(["", *(stage["name"] for stage in self.report["stages"])])
+        table.verticalHeader().hide()
+        table.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
+        for row, (title, figures, form) in enumerate(rows):
+            texts = ["" if figure is None else format(figure, form) for figure in figures]
+            for column, text in enumerate([translate(title), *texts]):
+                item = QtGui.QTableWidgetItem(text)
+                if column:
+                    item.setTextAlignment(int(QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter))
+                table.setItem(row, column, item)
+        table.resizeColumnsToContents()
+        table.resizeRowsToContents()
+        height = table.horizontalHeader().sizeHint().height() + 6
+        table.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
+        table.setVerticalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
+        table.setMinimumWidth(sum(table.columnWidth(column) for column in range(table.columnCount())) + 4)
+        table.setFixedHeight(height + sum(table.rowHeight(row) for row in range(len(rows))))
+        return table
+
+    def _canvas(self):
+        from matplotlib.backends.backend_qt5agg import FigureCanvasQTAgg
+        from matplotlib.figure import Figure
+
+        self.figure = Figure(figsize=(4, 3))
+        self.canvas = FigureCanvasQTAgg(self.figure)
+        self.canvas.setObjectName("FGMeshPlot")
+        self.canvas.setMinimumHeight(240)
+        self._plot()
+        return self.canvas
+
+    def _plot(self):
+        self.figure.clear()
+        plot = pictures.plot_variation if self.kind.currentIndex() == 0 else pictures.plot_dihedral
+        last = {**self.report, "stages": self.report["stages"][-1:]}
+        plot(last, self.figure)
+        self.canvas.draw_idle()
+
+    def _view_box(self):
+        box = QtGui.QWidget()
+        box.setWindowTitle(translate("In the view"))
+        box.setWindowIcon(QtGui.QIcon(icon("preview")))
+        form = QtGui.QFormLayout(box)
+        self.look = QtGui.QComboBox()
+        self.look.setObjectName("FGMeshLook")
+        self.look.addItems(
+            [
+                translate("Fraction"),
+                translate("Plain"),
+                translate("Smallest angles"),
+                translate("Largest variation"),
+            ]
+        )
+        self.axis = QtGui.QComboBox()
+        self.axis.setObjectName("FGMeshCutAxis")
+        self.axis.addItems([translate("whole"), *_AXES])
+        self.place = QtGui.QSlider(QtCore.Qt.Horizontal)
+        self.place.setObjectName("FGMeshCutPlace")
+        self.place.setRange(1, _STEPS - 1)
+        self.place.setValue(_STEPS // 2)
+        for signal in (self.look.currentIndexChanged, self.axis.currentIndexChanged, self.place.valueChanged):
+            signal.connect(lambda: self._show_look())
+        form.addRow(translate("Show"), self.look)
+        row = QtGui.QHBoxLayout()
+        row.addWidget(self.axis)
+        row.addWidget(self.place, 1)
+        form.addRow(translate("Cut"), row)
+        return box
+
+    def _show_look(self):
+        look, axis = self.look.currentIndex(), self.axis.currentText()
+        cut = axis in _AXES
+        self.axis.setEnabled(look == FRACTION)
+        self.place.setEnabled(cut and look == FRACTION)
+        if look == PLAIN:
+            mesh_look.show_plain(self.mesh)
+        elif look == FRACTION and cut:
+            mesh_look.cut(self.mesh, (self._plane_origin(), FreeCAD.Vector(*_AXES[axis])))
+        elif look == FRACTION:
+            mesh_look.colour_by_fraction(self.mesh)
+        else:
+            mesh_look.show_worst(self.mesh, self._worst(look))
+
+    def _worst(self, look):
+        """The tetrahedra that come first by smallest angle or by largest variation."""
+        points, tets = points_and_tets(self.mesh.FemMesh)
+        if look == SMALLEST_ANGLES:
+            order = smallest_dihedral_angles(points, tets)
+        else:
+            order = -variations(np.array(self.mesh.Fractions), tets)
+        return np.argsort(order, kind="stable")[:_WORST]
+
+    def _plane_origin(self):
+        box = self.mesh.Shape.Shape.BoundBox
+        low, high = FreeCAD.Vector(box.XMin, box.YMin, box.ZMin), FreeCAD.Vector(box.XMax, box.YMax, box.ZMax)
+        return low + (high - low) * (self.place.value() / _STEPS)
+
+    def _ask_picture(self):
+        self._ask(translate("Pictures (*.png *.svg *.pdf)"), ".png", self.save_picture)
+
+    def _ask_table(self):
+        self._ask(translate("Tables (*.csv)"), ".csv", self.save_table)
+
+    def _ask(self, kinds, suffix, save):
+        path, _ = QtGui.QFileDialog.getSaveFileName(
+            FreeCADGui.getMainWindow(), translate("Save"), f"{self.mesh.Label}{suffix}", kinds
+        )
+        if not path:
+            return
+        try:
+            save(path if "." in path.rsplit("/", 1)[-1] else path + suffix)
+        except (OSError, ValueError) as error:
+            self.message.complain(str(error))

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""FreeCAD in a real window under Xvfb, driven by a script."""
+import json
+import os
+import subprocess
+from pathlib import Path
+
+import pytest
+
+SCREEN = "1400x900x24"
+
+
+@pytest.fixture(scope="session")
+def artifacts(build_dir):
+    """The folder for pictures, kept after the tests."""
+    folder = build_dir / "test-artifacts"
+    folder.mkdir(exist_ok=True)
+    return folder
+
+
+@pytest.fixture
+def run_freecad(tmp_path, build_dir):
+    """A function: runs a macro in a FreeCAD with FGMesh in its Mod folder; gives what the program wrote."""
+
+    def run(macro, screen=SCREEN, settings="", **environment):
+        home = tmp_path / "home"
+        mod = home / ".local" / "share" / "FreeCAD" / "Mod"
+        mod.mkdir(parents=True, exist_ok=True)
+        if not (mod / "FGMesh").exists():
+            (mod / "FGMesh").symlink_to(build_dir / "Mod" / "FGMesh")
+        if settings:
+            (home / ".config" / "FreeCAD").mkdir(parents=True, exist_ok=True)
+            (home / ".config" / "FreeCAD" / "user.cfg").write_text(settings)
+        path = tmp_path / "macro.py"
+        path.write_text(macro)
+        # The start page's browser refuses to run as root inside its sandbox.
+        variables = {
+            "PATH": os.environ["PATH"],
+            "HOME": str(home),
+            "LC_ALL": "C.UTF-8",
+            "QTWEBENGINE_DISABLE_SANDBOX": "1",
+            "LIBGL_ALWAYS_SOFTWARE": "1",
+            **environment,
+        }
+        command = ["xvfb-run", "--auto-servernum", "-s", f"-screen 0 {screen}", "freecad", str(path)]
+        done = subprocess.run(command, env=variables, capture_output=True, text=True, timeout=240)
+        return done.stdout + done.stderr
+
+    return run
+
+
+@pytest.fixture
+def drive(run_freecad, tmp_path, artifacts):
+    """A function: runs the body of steps() in FreeCAD, where `driver` is at hand; gives what it returns.
+
+    `pictures` is the folder for pictures there; `workbench` is active at the start. No traceback may appear.
+    """
+
+    def run(body, workbench="FGMeshWorkbench", **options):
+        answer_file = tmp_path / "answer.json"
+        answer_file.unlink(missing_ok=True)
+        lines = "".join(f"    {line}\n" for line in body.strip("\n").split("\n"))
+        macro = (
+            "import sys\n"
+            f"sys.path.insert(0, {str(Path(__file__).parent)!r})\n"
+            "import FreeCAD, FreeCADGui\n"
+            "import driver\nfrom driver import *\n"
+            f"pictures = {str(artifacts)!r}\n\n"
+            f"def steps():\n{lines}\n"
+            f"driver.main(steps, {str(answer_file)!r}, {workbench!r})\n"
+        )
+        output = run_freecad(macro, **options)
+        assert answer_file.exists(), output[-3000:]
+        answer = json.loads(answer_file.read_text())
+        assert not (isinstance(answer, dict) and "error" in answer), answer["error"] + output[-2000:]
+        assert "Traceback" not in output, output[-3000:]
+        answer = answer if isinstance(answer, dict) else {"value": answer}
+        return {**answer, "output": output}
+
+    return run

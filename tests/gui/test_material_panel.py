@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The panel of a graded material, used with mouse and keys."""
+
+CYLINDER = """
+document = FreeCAD.newDocument("Part")
+part = document.addObject("Part::Cylinder", "Cylinder")
+part.Radius, part.Height = 20, 60
+document.recompute()
+fresh_view(document)
+select(part)
+steps_before = document.UndoCount
+"""
+
+
+def test_ready_grading_becomes_the_material_in_one_undo_step(drive):
+    answer = drive(
+        CYLINDER
+        + """
+command("FGMesh_Material")
+write("FGMeshConstituent1", "Steel-Generic")
+write("FGMeshConstituent2", "Aluminum-Generic")
+choose("FGMeshGrading", "Power law along z")
+wait_until(lambda: widget("FGMeshFormulaMessage").text() == "On the solid: 0 to 1")
+picture(f"{pictures}/material-panel.png")
+unchanged = document.UndoCount - steps_before, hasattr(part, "FGMFractions")
+panel_button("Ok")
+given = [list(part.FGMFractions), list(part.FGMConstituents), part.FGM_length, part.FGM_n, part.FGM_start]
+undo = document.UndoCount - steps_before, list(document.UndoNames)[:1]
+document.undo()
+undone = hasattr(part, "FGMFractions") and bool(part.FGMFractions)
+document.redo()
+return dict(unchanged=unchanged, given=given, undo=undo, undone=undone, again=list(part.FGMFractions))
+"""
+    )
+    assert answer["unchanged"] == [0, False]
+    assert answer["given"][0] == ["clamp((z - start)/length, 0, 1)^n"]
+    assert answer["given"][1] == ["Steel-Generic", "Aluminum-Generic"]
+    assert answer["given"][2:] == [60, 2, 0]
+    assert answer["undo"] == [1, ["Set graded material"]]
+    assert answer["undone"] is False
+    assert answer["again"] == answer["given"][0]
+
+
+def test_errors_are_marked_at_their_place_and_unknown_names_become_parameters(drive):
+    answer = drive(
+        CYLINDER
+        + """
+command("FGMesh_Material")
+write("FGMeshFormula", "exp(-alpha*z)")
+wait_until(lambda: widget("FGMeshFormulaMessage").kind == "error")
+marked = widget("FGMeshFormula").marked()
+picture(f"{pictures}/material-error.png")
+click("FGMeshMakeParameter")
+write_cell("FGMeshParameters", 0, 1, "3/Height")
+wait_until(lambda: widget("FGMeshFormulaMessage").kind == "")
+says = widget("FGMeshFormulaMessage").text()
+write("FGMeshFormula", "2*exp(-alpha*z)")
+wait_until(lambda: widget("FGMeshFormulaMessage").kind == "warning")
+warns = widget("FGMeshFormulaMessage").text()
+write("FGMeshFormula", "exp(-alpha*z")
+wait_until(lambda: widget("FGMeshFormulaMessage").kind == "error")
+panel_button("Ok")
+refused = FreeCADGui.Control.activeDialog() is not False, hasattr(part, "FGMFractions"), document.UndoCount - steps_before
+write("FGMeshFormula", "exp(-alpha*z)")
+panel_button("Ok")
+part.Height = 30
+document.recompute()
+return dict(marked=marked, says=says, warns=warns, refused=refused, alpha=part.FGM_alpha)
+"""
+    )
+    assert answer["marked"] == "alpha"
+    assert answer["says"] == "On the solid: 0.04979 to 1"
+    assert answer["warns"].startswith("On the solid: 0.09957 to 2") and "between 0 and 1" in answer["warns"]
+    assert answer["refused"] == [True, False, 0]
+    assert abs(answer["alpha"] - 0.1) < 1e-12
+
+
+def test_cancel_leaves_nothing_behind(drive):
+    answer = drive(
+        CYLINDER
+        + """
+gui = FreeCADGui.getDocument(document.Name)
+nodes = gui.activeView().getSceneGraph().getNumChildren()
+document.saveAs(pictures + "/cancelled.FCStd")
+FreeCADGui.SendMsgToActiveView("Save")  # which, other than saveAs, counts as saved in the GUI
+assert not gui.Modified
+command("FGMesh_Material")
+choose("FGMeshGrading", "Radial")
+choose("FGMeshSectionAxis", "Y")
+settle(0.5)
+panel_button("Cancel")
+left = gui.activeView().getSceneGraph().getNumChildren() - nodes
+names = [name for name in part.PropertiesList if name.startswith("FGM")]
+return dict(left=left, names=names, steps=document.UndoCount - steps_before, modified=gui.Modified)
+"""
+    )
+    del answer["output"]
+    assert answer == {"left": 0, "names": [], "steps": 0, "modified": False}
