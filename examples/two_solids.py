@@ -41,7 +41,7 @@ def build():
     both.Links = [plate, pin]
     document.recompute()
     mesh = fgmesh.make_mesh(document, both)
-    mesh.MaterialThreshold = 0.1
+    mesh.MaterialThreshold = 0.2
     return mesh
 
 

@@ -146,6 +146,46 @@ def picture(path):
     FreeCADGui.getMainWindow().screen().grabWindow(0).save(str(path))
 
 
+def in_dialog(opens, fills):
+    """Calls opens(), which shows a modal dialog, and fills(dialog) as soon as it is there."""
+    failed = []
+
+    def look(tries=200):
+        dialog = QtGui.QApplication.activeModalWidget()
+        if dialog is None:
+            if tries:
+                QtCore.QTimer.singleShot(50, lambda: look(tries - 1))
+            return
+        try:
+            fills(dialog)
+        except BaseException as error:
+            failed.append(error)
+            dialog.reject()
+
+    QtCore.QTimer.singleShot(50, look)
+    opens()
+    if failed:
+        raise failed[0]
+    settle(0.1)
+
+
+def record_macro(name):
+    """Starts FreeCAD's macro recorder, as its dialog does; gives the path of the file that it will write."""
+    folder = []
+
+    def fill(dialog):
+        folder.append(_inside(dialog, "lineEditMacroPath").text())
+        write(_inside(dialog, "lineEditPath"), name)
+        click(_inside(dialog, "buttonStart"))
+
+    in_dialog(lambda: FreeCADGui.runCommand("Std_DlgMacroRecord"), fill)
+    return os.path.join(folder[0], name)
+
+
+def stop_recording():
+    FreeCADGui.runCommand("Std_MacroStopRecord")
+
+
 def fresh_view(document):
     """Looks at all of a document from a corner."""
     view = FreeCADGui.getDocument(document.Name).activeView()
@@ -179,6 +219,11 @@ def main(steps, answer_file, workbench):
 def _all_widgets():
     found = QtGui.QApplication.allWidgets()
     _kept.append(found)
+    return found
+
+
+def _inside(parent, name):
+    (found,) = [one for one in _all_widgets() if one.objectName() == name and parent.isAncestorOf(one)]
     return found
 
 

@@ -137,7 +137,9 @@ def meshing_options(values):
         raise core.InvalidInput(
             f"Groups: {min(unknown)!r} is no kind of part; there are {', '.join(GROUP_KINDS)}"
         )
-    return core.MeshingOptions(**{o.field: _to_field(o, values[o.property]) for o in OPTIONS})
+    options = core.MeshingOptions(**{o.field: _to_field(o, values[o.property]) for o in OPTIONS})
+    options.validate()
+    return options
 
 
 def options_of(mesh):

@@ -210,13 +210,14 @@ class MeshPanel:
             else:
                 made = self.mesh
                 line(f"mesh = {object_text(made)}")
+            is_first = not made.Fingerprint
             now = options.option_values(made)
             for name, value in values.items():
                 if value != now[name]:
                     line(f"mesh.{name} = {value!r}")
             line("freecad.fgmesh.generate(mesh)")
-            if self.mesh is None:
-                # It would hide the mesh, whose faces lie upon its own.
+            if is_first:
+                # The solid's faces lie upon those of the mesh.
                 line(f"{object_text(self.solid)}.Visibility = False")
         self.mesh = made
 
