@@ -48,7 +48,7 @@ def rgb(values, low=0.0, high=1.0):
 
     places = fraction_of_range(values, low, high)
     known = np.nan_to_num(places, nan=0.5)
-    colours = table()[np.clip(np.rint(known * (SIZE - 1)), 0, SIZE - 1).astype(int)]
+    colours = table()[np.rint(np.clip(known, 0, 1) * (SIZE - 1)).astype(int)]
     colours[known < 0] = BELOW
     colours[known > 1] = ABOVE
     colours[np.isnan(places)] = UNDEFINED
