@@ -134,8 +134,8 @@ def test_cap_of_triangles(model, parts):
     """More triangles than allowed are not made: edges grow instead."""
     from freecad.fgmesh.model.preview_shape import surface_of
 
-    surface = surface_of(parts("plate"), most=5000)
-    assert len(surface.triangles) <= 5000
+    surface = surface_of(parts("plate"), most=20_000)
+    assert len(surface.triangles) <= 20_000
     assert open_edges(surface.points, surface.solids, surface.triangles) == 0
 
 
@@ -239,4 +239,4 @@ def test_section_follows_the_mouse(model, parts):
         start = time.perf_counter()
         model.cut(surface, surface.points.mean(axis=0), (1, turn / 7, 0.3), surface.diagonal / 60)
         spans.append(time.perf_counter() - start)
-    assert sorted(spans)[3] < 0.3  # 0.03 s on a quiet machine
+    assert sorted(spans)[3] < 0.3  # ten times what a quiet machine needs

@@ -53,6 +53,7 @@ FREECAD = {
     "Part",
     "Fem",
     "Mesh",
+    "MeshPart",
     "ObjectsFem",
     "femtools",
     "feminout",

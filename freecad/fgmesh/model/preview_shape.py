@@ -5,15 +5,17 @@ from functools import cached_property
 
 import numpy as np
 
-from freecad.fgmesh.model.subdivision import subdivide, weld
+from freecad.fgmesh.model.subdivision import merged, subdivide, weld
 
 FINENESS = 60
 """Edges of the triangles are at most the diagonal of the shape divided by this."""
 
 MOST_TRIANGLES = 200_000
 
-_DEFLECTION = 1 / 500  # of the diagonal, as fine as FreeCAD's own display
-_COARSER = 4
+# Of the diagonal, and between neighbouring chords, radians: a little finer than FreeCAD's own display.
+_DEFLECTION, _ANGLE = 1 / 500, 0.3
+_COARSER = 3
+_SAME = 1e-8  # of the diagonal
 
 
 @dataclass
@@ -55,14 +57,11 @@ def surface_of(thing, fineness=FINENESS, most=MOST_TRIANGLES):
     if shape.isNull() or not shape.Solids:
         raise ValueError(f"{thing.Label} has no solid")
     diagonal = shape.BoundBox.DiagonalLength
-    deflection = _DEFLECTION * diagonal
-    parts = [_solid_triangles(solid, deflection) for solid in shape.Solids]
-    while sum(len(triangles) for _, triangles in parts) > most and deflection < diagonal / 10:
-        deflection *= _COARSER
-        shape = thing.Shape.cleaned()
-        parts = [_solid_triangles(solid, deflection) for solid in shape.Solids]
+    parts = _parts(shape, _DEFLECTION * diagonal, _ANGLE)
+    if sum(len(triangles) for _, triangles in parts) > most:
+        parts = _parts(thing.Shape.cleaned(), _COARSER * _DEFLECTION * diagonal, _COARSER * _ANGLE)
     rows, triangles = _joined(
-        [(np.column_stack([p, np.full(len(p), i)]), t) for i, (p, t) in enumerate(parts)]
+        [(np.column_stack([own, np.full(len(own), number)]), t) for number, (own, t) in enumerate(parts)]
     )
     rows, triangles = subdivide(rows, triangles, diagonal / fineness, most)
     lengths = np.linalg.norm(rows[:, 3:6], axis=1, keepdims=True)
@@ -71,10 +70,23 @@ def surface_of(thing, fineness=FINENESS, most=MOST_TRIANGLES):
     return Surface(points, normals, rows[:, 6].astype(np.int32), triangles, diagonal)
 
 
+def _parts(shape, deflection, angle):
+    """For each solid rows (n, 6) of positions and normals, and triangles (m, 3), face by face."""
+    import MeshPart  # as FreeCAD itself does, late: it brings the module Mesh
+
+    # Leaves triangles in the faces. tessellate(), too, but with an angle that makes ten times as many.
+    MeshPart.meshFromShape(Shape=shape, LinearDeflection=deflection, AngularDeflection=angle, Relative=False)
+    return [_solid_triangles(solid, deflection) for solid in shape.Solids]
+
+
 def _solid_triangles(solid, deflection):
-    """Rows (n, 6) of positions and normals, and triangles (m, 3), face by face."""
-    solid.tessellate(deflection)  # all faces at once: they share the points on their edges
-    return _joined([_face_triangles(face, deflection) for face in solid.Faces])
+    solid.tessellate(
+        deflection
+    )  # where there still are none: of all faces at once, which share their edges then
+    rows, triangles = _joined([_face_triangles(face, deflection) for face in solid.Faces])
+    # Faces that were moved differently know the same point in a slightly different place.
+    rows[:, :3] = merged(rows[:, :3], _SAME * solid.BoundBox.DiagonalLength)[1]
+    return rows, triangles
 
 
 def _face_triangles(face, deflection):

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from freecad.fgmesh.model.filling import filled
+from freecad.fgmesh.model.subdivision import merged
 
 _ON_PLANE = 1e-9  # of the diagonal
 _SAME = 1e-4  # of the limit
@@ -46,7 +47,7 @@ def cut(surface, origin, normal, limit):
     share = (heights[kept] / (heights[kept] - heights[gone]))[:, None]
     points = (1 - share) * surface.points[kept] + share * surface.points[gone]
     normals = (1 - share) * surface.normals[kept] + share * surface.normals[gone]
-    places, points = _merged(points, _SAME * limit)
+    places, points = merged(points, _SAME * limit)
 
     def numbered(corners):  # those below zero are edges that the plane cuts
         return np.where(corners >= 0, corners, size + np.searchsorted(keys, -1 - corners))
@@ -97,20 +98,6 @@ def _cut_edges(surface, removed):
     left = ~removed[start]
     start, end = start[left], end[left]
     return np.column_stack([start, np.where(removed[end], -1 - (start * len(surface.points) + end), end)])
-
-
-def _merged(points, tolerance):
-    """The same number for all of `points` (n, 3) that are nearly the same, and the points made equal. No triangles
-    can be made between points that only rounding tells apart."""
-    from scipy.sparse import coo_matrix
-    from scipy.sparse.csgraph import connected_components
-    from scipy.spatial import cKDTree
-
-    pairs = cKDTree(points).query_pairs(tolerance, output_type="ndarray")
-    links = coo_matrix((np.ones(len(pairs), bool), pairs.T), shape=(len(points),) * 2)
-    places = connected_components(links, directed=False)[1]
-    first = np.unique(places, return_index=True)[1]
-    return places, points[first[places]]
 
 
 def _cap(rims, points, places, normal, limit):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Triangles divided until their edges are short, without gaps between neighbours. NumPy alone."""
+"""Triangles divided until their edges are short, without gaps between neighbours. NumPy and SciPy alone."""
 import numpy as np
 
 _COARSER = 1.25
@@ -43,6 +43,19 @@ def weld(rows):
     numbers = np.empty(len(rows), np.int64)
     numbers[order] = np.concatenate([[0], np.cumsum(is_new)])
     return numbers
+
+
+def merged(points, tolerance):
+    """The same number for all of `points` (n, 3) that lie within `tolerance` of each other, and the points made equal."""
+    from scipy.sparse import coo_matrix
+    from scipy.sparse.csgraph import connected_components
+    from scipy.spatial import cKDTree
+
+    pairs = cKDTree(points).query_pairs(tolerance, output_type="ndarray")
+    links = coo_matrix((np.ones(len(pairs), bool), pairs.T), shape=(len(points),) * 2)
+    places = connected_components(links, directed=False)[1]
+    first = np.unique(places, return_index=True)[1]
+    return places, points[first[places]]
 
 
 def _divided(rows, triangles, middles):
