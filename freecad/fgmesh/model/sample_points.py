@@ -4,19 +4,17 @@ import time
 
 import numpy as np
 
-from freecad.fgmesh.model.preview_shape import surface_of
 from freecad.fgmesh.model.section import cut
 
 _CUTS = (0.5, 0.2, 0.8)  # of the extent along each axis
-_FINENESS = 30
-_SECONDS = 0.3
+_FINENESS = 30  # edges of the cut faces are the diagonal divided by this
+_SECONDS = 0.2
 """After which no further cut is begun: a part of many holes has slow ones."""
 
 
-def sample_points(thing):
-    """(points (n, 3), solids (n,)) on the surface of thing.Shape and on a few planes through it, in the coordinates of
-    thing.Shape, with the 0-based number of the solid of each. Raises ValueError where there is no solid."""
-    surface = surface_of(thing, _FINENESS)
+def sample_points(surface):
+    """(points (n, 3), solids (n,)) on `surface`, a preview_shape.Surface, and on a few planes through it, with the 0-based
+    number of the solid of each."""
     low, high = surface.points.min(axis=0), surface.points.max(axis=0)
     points, solids = [surface.points], [surface.solids]
     end = time.monotonic() + _SECONDS

@@ -4,6 +4,7 @@ import FreeCAD
 import numpy as np
 from PySide import QtCore, QtGui
 
+from freecad.fgmesh.model.preview_shape import surface_of
 from freecad.fgmesh.model.sample_points import sample_points
 from freecad.fgmesh.model.shown_quantities import shown_quantities
 from freecad.fgmesh.panels.live_field import LiveField
@@ -29,7 +30,8 @@ class PreviewBox(QtGui.QGroupBox):
         self.setWindowIcon(QtGui.QIcon(icon("preview")))
         self.setObjectName("FGMeshPreview")
         self._solid, self._preview = solid, None
-        self._samples = sample_points(solid)
+        self._surface = surface_of(solid)
+        self._samples = sample_points(self._surface)
         self._fraction = self._normal = None
         self._field = LiveField(self)
         self._field.ready.connect(self._show)
@@ -103,7 +105,7 @@ class PreviewBox(QtGui.QGroupBox):
 
     def _toggle(self, on):
         if on:
-            self._preview = Preview(self._solid, on_new_points=self._new_points)
+            self._preview = Preview(self._solid, on_new_points=self._new_points, surface=self._surface)
         else:
             self._preview.close()
             self._preview = None

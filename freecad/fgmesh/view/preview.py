@@ -22,13 +22,14 @@ class Preview:
     thing           a document object with solids
     view            the 3D view; None: that of the document
     on_new_points   called when `points` have changed, since the section moved
+    surface         preview_shape.surface_of(thing), where the caller has it already
 
     points (n, 3) and solids (n,), numbers from 0: where values are wanted, in the coordinates of thing.Shape. The first
     `fixed` of them are always there and never change. Raises ValueError where there is no solid or no 3D view.
     """
 
-    def __init__(self, thing, view=None, on_new_points=None):
-        self._surface = surface_of(thing)
+    def __init__(self, thing, view=None, on_new_points=None, surface=None):
+        self._surface = surface or surface_of(thing)
         self._on_new_points = on_new_points or (lambda: None)
         self._section = self._dragger = self._cut = None
         self._layers = _drawing_order(thing)
