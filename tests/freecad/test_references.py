@@ -150,3 +150,23 @@ def test_saved_and_opened(from_end_to_end, tmp_path):
         assert "Touched" not in opened.Box.State
     finally:
         FreeCAD.closeDocument(opened.Name)
+
+
+def test_a_link_measures_to_its_own_faces(box, document, fgmesh, core):
+    """The link of a graded box, moved: the same fractions at the same places of the box."""
+    from freecad.fgmesh.model.graded_solid import material_of
+
+    fgmesh.attach_material(box, "d1/(d1 + d2) * s", {"s": 0.5}, references=["Face1", "Face2"])
+    link = document.addObject("App::Link", "Link")
+    link.LinkedObject = box
+    link.Placement = FreeCAD.Placement(
+        FreeCAD.Vector(40, 50, 60), FreeCAD.Rotation(FreeCAD.Vector(1, 1, 0), 50)
+    )
+    document.recompute()
+    inside = FreeCAD.Vector(3, 7, 11)
+    values = [
+        core.read_references(material_of(thing)).evaluate([tuple(thing.Placement.multVec(inside))])[0]
+        for thing in (box, link)
+    ]
+    assert values[0] == pytest.approx(0.15, abs=1e-9) or values[0] == pytest.approx(0.35, abs=1e-9)
+    assert values[1] == pytest.approx(values[0], abs=1e-9)

@@ -146,6 +146,24 @@ def picture(path):
     FreeCADGui.getMainWindow().screen().grabWindow(0).save(str(path))
 
 
+def click_view(view, point):
+    """Clicks in the 3D view on what is seen at `point`, in global coordinates."""
+    (area,) = [one for one in _all_widgets() if type(one) is QtGui.QGraphicsView and one.isVisible()]
+    viewport = area.viewport()
+    x, y = view.getPointOnScreen(point)
+    place = QtCore.QPoint(x, view.getSize()[1] - y - 1)
+    left, none = QtCore.Qt.LeftButton, QtCore.Qt.NoButton
+    for kind, button, buttons in (
+        (QtCore.QEvent.MouseMove, none, none),
+        (QtCore.QEvent.MouseButtonPress, left, left),
+        (QtCore.QEvent.MouseButtonRelease, left, none),
+    ):
+        where = QtCore.QPointF(viewport.mapToGlobal(place))
+        event = QtGui.QMouseEvent(kind, QtCore.QPointF(place), where, button, buttons, QtCore.Qt.NoModifier)
+        QtGui.QApplication.sendEvent(viewport, event)
+        settle(0.1)
+
+
 def in_dialog(opens, fills):
     """Calls opens(), which shows a modal dialog, and fills(dialog) as soon as it is there."""
     failed = []

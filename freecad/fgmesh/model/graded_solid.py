@@ -87,11 +87,20 @@ def has_material(solid):
     return bool(getattr(solid, "FGMFractions", None))
 
 
+def holder(solid):
+    """The object whose properties hold the material of `solid`: itself, or what it is a link to, unless the link has
+    got a material of its own."""
+    if "FGMFractions" in solid.PropertiesList or not solid.isDerivedFrom("App::Link"):
+        return solid
+    return solid.getLinkedObject(True) or solid
+
+
 def parameters_of(solid):
     """{name: value} of the parameters FGM_<name>, as they are now."""
+    owner = holder(solid)
     return {
-        name[len(PARAMETER_PREFIX) :]: plain_number(getattr(solid, name))
-        for name in solid.PropertiesList
+        name[len(PARAMETER_PREFIX) :]: plain_number(getattr(owner, name))
+        for name in owner.PropertiesList
         if name.startswith(PARAMETER_PREFIX)
     }
 

@@ -28,7 +28,8 @@ class MaterialDraft:
         """That of the material which `solid` has; an empty one where it has none."""
         if not graded_solid.has_material(solid):
             return cls()
-        driven = dict(solid.ExpressionEngine)
+        # The expressions of what a link leads to would have another meaning on the link.
+        driven = dict(solid.ExpressionEngine) if graded_solid.holder(solid) == solid else {}
         prefix = graded_solid.PARAMETER_PREFIX
         values = graded_solid.parameters_of(solid).items()
         return cls(

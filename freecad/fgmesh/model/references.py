@@ -124,6 +124,8 @@ def _shape_beside(thing, solid):
         )
     if thing == solid:
         return shape
+    if solid.isDerivedFrom("App::Link") and solid.getLinkedObject(True) == thing:
+        return solid.Shape  # a face of its own is meant, not that of the original
     moved = shape.copy(False)
     moved.Placement = _container(solid).inverse().multiply(_container(thing)).multiply(shape.Placement)
     return moved

@@ -209,7 +209,7 @@ class MaterialPanel:
         if np.isnan(low):
             self.message.complain(translate("The formula is not defined anywhere on the solid"))
             return
-        text = translate("On the solid: {} to {}").format(f"{low:.4g}", f"{high:.4g}")
+        text = translate("On the solid: {} to {}").format(f"{low + 0.0:.4g}", f"{high + 0.0:.4g}")
         if missing > 0:
             self.message.warn(text + translate("; not defined in {} % of it").format(f"{100 * missing:.2g}"))
         elif low < -_SLACK or high > 1 + _SLACK:

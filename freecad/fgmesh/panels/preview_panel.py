@@ -50,4 +50,6 @@ class PreviewPanel:
         if np.isnan(low):
             self.message.complain(translate("The formula is not defined anywhere on the solid"))
         else:
-            self.message.say(translate("On the solid: {} to {}").format(f"{low:.4g}", f"{high:.4g}"))
+            self.message.say(
+                translate("On the solid: {} to {}").format(f"{low + 0.0:.4g}", f"{high + 0.0:.4g}")
+            )
