@@ -5,6 +5,7 @@ from typing import NamedTuple
 import FreeCAD
 
 from freecad.fgmesh.model import constituents
+from freecad.fgmesh.model.graded_parts import graded_parts
 
 _PROPERTIES = (
     ("YoungsModulus", "GPa"),
@@ -38,18 +39,29 @@ class Quantity(NamedTuple):
         return f"{self.name}, {self.unit}" if self.unit else self.name
 
 
+def fraction_title(solid):
+    """What the fraction of the first constituent of `solid` is called; None for a solid that was deleted."""
+    parts = graded_parts(solid) if solid is not None else []
+    names = list(getattr(parts[0][0], "FGMConstituents", [])) if parts else []
+    return _fraction_of(names[0] if names else "constituent 1")
+
+
 def shown_quantities(names, document):
     """The Quantities of a solid made of the constituents called `names` (two, or none yet): the fractions, then
     each property that both cards have, mixed in proportion to the fractions (rule of mixtures, Voigt 1889).
     """
     first, second = names if len(names) == 2 else ("constituent 1", "constituent 2")
-    found = [Quantity(f"fraction of {first}", "", 0, 1), Quantity(f"fraction of {second}", "", 1, 0)]
+    found = [Quantity(_fraction_of(first), "", 0, 1), Quantity(_fraction_of(second), "", 1, 0)]
     cards = [constituents.properties(name, document) for name in names]
     for name, unit in _PROPERTIES if len(cards) == 2 else ():
         values = [_value(card.get(name), unit) for card in cards]
         if None not in values and values[0] != values[1]:
             found.append(Quantity(name, unit, values[1], values[0]))
     return found
+
+
+def _fraction_of(name):
+    return f"fraction of {name}"
 
 
 def _value(text, unit):

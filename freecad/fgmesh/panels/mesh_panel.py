@@ -10,6 +10,7 @@ from freecad.fgmesh import core
 from freecad.fgmesh.fem import background
 from freecad.fgmesh.model import mesh_object, options, preferences
 from freecad.fgmesh.model.macro_text import document_text, object_text
+from freecad.fgmesh.model.shown_quantities import fraction_title
 from freecad.fgmesh.model.texts import TRANSLATE_LATER
 from freecad.fgmesh.panels.expectation import Expectation
 from freecad.fgmesh.panels.mesh_options_box import MeshOptionsBox
@@ -196,7 +197,7 @@ class MeshPanel:
         self._show_running(False)
         self.bar.setValue(1000)
         self._tell_result()
-        mesh_look.colour_by_fraction(self.mesh)
+        mesh_look.colour_by_fraction(self.mesh, fraction_title(self.solid))
 
     def _run_lines(self, run):
         document = FreeCAD.getDocument(self._document)
@@ -219,6 +220,7 @@ class MeshPanel:
             if is_first:
                 # The solid's faces lie upon those of the mesh.
                 line(f"{object_text(self.solid)}.Visibility = False")
+            line(f"{document_text(document)}.recompute()")
         self.mesh = made
 
     def _tell_result(self):

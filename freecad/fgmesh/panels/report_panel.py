@@ -10,6 +10,7 @@ from PySide import QtCore, QtGui
 from freecad.fgmesh import pictures
 from freecad.fgmesh.fem.fem_mesh import points_and_tets
 from freecad.fgmesh.io import stage_rows, write_report_table
+from freecad.fgmesh.model.shown_quantities import fraction_title
 from freecad.fgmesh.model.tet_figures import smallest_dihedral_angles, variations
 from freecad.fgmesh.panels.message_label import MessageLabel
 from freecad.fgmesh.view import icon, mesh_look
@@ -29,6 +30,7 @@ class ReportPanel:
     def __init__(self, mesh):
         self.mesh, self.report = mesh, json.loads(mesh.Report)
         self._was_coloured = mesh_look.is_coloured(mesh)
+        self._title = fraction_title(mesh.Shape)
         self.form = [self._figures_box(), self._view_box()]
         self._show_look()
 
@@ -39,7 +41,7 @@ class ReportPanel:
 
     def reject(self):
         if self._was_coloured:
-            mesh_look.colour_by_fraction(self.mesh)
+            mesh_look.colour_by_fraction(self.mesh, self._title)
         else:
             mesh_look.show_plain(self.mesh)
         FreeCADGui.Control.closeDialog()
@@ -165,9 +167,9 @@ class ReportPanel:
         if look == PLAIN:
             mesh_look.show_plain(self.mesh)
         elif look == FRACTION and cut:
-            mesh_look.cut(self.mesh, (self._plane_origin(), FreeCAD.Vector(*_AXES[axis])))
+            mesh_look.cut(self.mesh, (self._plane_origin(), FreeCAD.Vector(*_AXES[axis])), self._title)
         elif look == FRACTION:
-            mesh_look.colour_by_fraction(self.mesh)
+            mesh_look.colour_by_fraction(self.mesh, self._title)
         else:
             mesh_look.show_worst(self.mesh, self._worst(look))
 
@@ -181,7 +183,7 @@ class ReportPanel:
         return np.argsort(order, kind="stable")[:_WORST]
 
     def _plane_origin(self):
-        box = self.mesh.Shape.Shape.BoundBox
+        box = self.mesh.FemMesh.BoundBox
         low, high = FreeCAD.Vector(box.XMin, box.YMin, box.ZMin), FreeCAD.Vector(box.XMax, box.YMax, box.ZMax)
         return low + (high - low) * (self.place.value() / _STEPS)
 
@@ -195,9 +197,11 @@ class ReportPanel:
         path, _ = QtGui.QFileDialog.getSaveFileName(
             FreeCADGui.getMainWindow(), translate("Save"), f"{self.mesh.Label}{suffix}", kinds
         )
-        if not path:
-            return
+        if path:
+            self._save(path if "." in path.rsplit("/", 1)[-1] else path + suffix, save)
+
+    def _save(self, path, save):
         try:
-            save(path if "." in path.rsplit("/", 1)[-1] else path + suffix)
+            save(path)
         except (OSError, ValueError) as error:
             self.message.complain(str(error))
