@@ -15,7 +15,7 @@ def frame_from(thing, name, solid):
     its start and direction; a ball its centre and a vertex its place, with the z axis of what they belong to; anything without a shape, and an object
     as a whole, its placement. Raises core.InvalidInput where there is nothing of the kind.
     """
-    to_solid = _global(solid).inverse()
+    to_solid = global_placement(solid).inverse()
     if not name:
         return to_solid.multiply(_placement(thing))
     shape = thing.Shape.getElement(name) if hasattr(thing, "Shape") else None
@@ -23,7 +23,7 @@ def frame_from(thing, name, solid):
         raise core.InvalidInput(f"{thing.Label} has no {name}: point at a face, an edge, a vertex or a datum")
     origin, axis, has_sense = _origin_and_axis(shape, name)
     # The shape stands where the object does; its containers move it further.
-    to_solid = to_solid.multiply(_global(thing)).multiply(thing.Placement.inverse())
+    to_solid = to_solid.multiply(global_placement(thing)).multiply(thing.Placement.inverse())
     axis = to_solid.Rotation.multVec(axis)
     if not has_sense and max(axis, key=abs) < 0:
         axis = -axis
@@ -33,7 +33,7 @@ def frame_from(thing, name, solid):
 def _placement(thing):
     if not hasattr(thing, "Placement"):
         raise core.InvalidInput(f"{thing.Label} has no placement: point at a face, an edge or a datum")
-    return _global(thing)
+    return global_placement(thing)
 
 
 def _origin_and_axis(shape, name):
@@ -58,7 +58,10 @@ def _origin_and_axis(shape, name):
     )
 
 
-def _global(thing):
+def global_placement(thing):
+    """Where `thing` stands with all its containers; also of a Fem mesh, which FreeCAD 0.20 does not tell."""
     if hasattr(thing, "getGlobalPlacement"):
         return thing.getGlobalPlacement()
-    return thing.Placement
+    container = thing.getParentGeoFeatureGroup()
+    own = FreeCAD.Placement(thing.Placement)
+    return container.getGlobalPlacement().multiply(own) if container is not None else own

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The controls of the preview: what is shown, and where the solid is cut open."""
-import FreeCAD
 import numpy as np
 from PySide import QtCore, QtGui
 
@@ -9,12 +8,10 @@ from freecad.fgmesh.model.sample_points import sample_points
 from freecad.fgmesh.model.shown_quantities import shown_quantities
 from freecad.fgmesh.panels.live_field import LiveField
 from freecad.fgmesh.panels.quiet import quiet
+from freecad.fgmesh.panels.section_controls import SectionControls
 from freecad.fgmesh.view import icon
-from freecad.fgmesh.view.preview import Preview, view_of
+from freecad.fgmesh.view.preview import Preview
 from freecad.fgmesh.view.texts import translate
-
-_AXES = {"X": (1, 0, 0), "Y": (0, 1, 0), "Z": (0, 0, 1)}
-_STEPS = 200
 
 
 class PreviewBox(QtGui.QGroupBox):
@@ -32,7 +29,7 @@ class PreviewBox(QtGui.QGroupBox):
         self._solid, self._preview = solid, None
         self._surface = surface_of(solid)
         self._samples = sample_points(self._surface)
-        self._fraction = self._normal = None
+        self._fraction = None
         self._field = LiveField(self)
         self._field.ready.connect(self._show)
         self._field.failed.connect(self.failed)
@@ -45,20 +42,11 @@ class PreviewBox(QtGui.QGroupBox):
         # Its texts are longer than the dock is wide.
         self.quantity.setSizePolicy(QtGui.QSizePolicy.Ignored, QtGui.QSizePolicy.Fixed)
         self.quantity.currentIndexChanged.connect(lambda: self._colour())
-        self.axis = QtGui.QComboBox()
-        self.axis.setObjectName("FGMeshSectionAxis")
-        self.axis.addItem(translate("whole"))
-        self.axis.addItems(list(_AXES))
-        self.axis.setToolTip(translate("Cuts the solid open across this axis"))
-        self.axis.currentIndexChanged.connect(lambda: self._cut(turn=True))
-        self.place = QtGui.QSlider(QtCore.Qt.Horizontal)
-        self.place.setObjectName("FGMeshSectionPlace")
-        self.place.setRange(1, _STEPS - 1)
-        self.place.setValue(_STEPS // 2)
-        self.place.valueChanged.connect(lambda: self._cut())
+        self.section = SectionControls(solid, solid.Shape.BoundBox, "Section")
+        self.section.changed.connect(self._cut)
         self.drag = QtGui.QCheckBox(translate("Drag in the view"))
         self.drag.setObjectName("FGMeshDragSection")
-        self.drag.toggled.connect(lambda: self._cut())
+        self.drag.toggled.connect(self._cut)
         self._lay_out()
         self.set_constituents([])
 
@@ -96,12 +84,9 @@ class PreviewBox(QtGui.QGroupBox):
         form = QtGui.QFormLayout(self)
         form.setContentsMargins(4, 4, 4, 4)
         form.addRow(translate("Show"), self.quantity)
-        row = QtGui.QHBoxLayout()
-        row.addWidget(self.axis)
-        row.addWidget(self.place, 1)
-        form.addRow(translate("Section"), row)
+        form.addRow(translate("Section"), self.section)
         form.addRow("", self.drag)
-        self._enable()
+        self._cut()
 
     def _toggle(self, on):
         if on:
@@ -111,11 +96,6 @@ class PreviewBox(QtGui.QGroupBox):
             self._preview = None
         self._cut()
         self._new_points()
-
-    def _enable(self):
-        cut = self.isChecked() and self.axis.currentIndex() > 0
-        self.place.setEnabled(cut)
-        self.drag.setEnabled(cut)
 
     def _new_points(self):
         points, solids = self._samples
@@ -139,28 +119,10 @@ class PreviewBox(QtGui.QGroupBox):
         fraction = self._fraction[: len(self._preview.points)]
         self._preview.set_values(quantity.values(fraction), quantity.title, *quantity.range)
 
-    def _cut(self, turn=False):
-        """Cuts the solid as the controls say; `turn`: so that the cut faces the viewer."""
-        self._enable()
-        if self._preview is None:
-            return
-        name = self.axis.currentText()
-        if name not in _AXES:
-            self._preview.drag_section(False)
-            self._preview.section = None
-            return
-        if turn or self._normal is None:
-            self._normal = self._towards_viewer(FreeCAD.Vector(*_AXES[name]))
-        box = self._solid.Shape.BoundBox
-        part = self.place.value() / _STEPS
-        low, high = FreeCAD.Vector(box.XMin, box.YMin, box.ZMin), FreeCAD.Vector(box.XMax, box.YMax, box.ZMax)
-        self._preview.section = low + (high - low) * part, self._normal
-        self._preview.drag_section(self.drag.isChecked())
-
-    def _towards_viewer(self, axis):
-        """`axis`, or its opposite, as what lies between the cut and the viewer is to be taken away."""
-        # Of a copy: to ask a property's own rotation for something marks the document as modified.
-        own = FreeCAD.Placement(self._solid.Placement)
-        turned = self._solid.getGlobalPlacement().multiply(own.inverse()).Rotation
-        away = view_of(self._solid).getViewDirection().dot(turned.multVec(axis)) > 0
-        return axis * -1 if away else axis
+    def _cut(self):
+        """Cuts the solid as the controls say."""
+        plane = self.section.plane()
+        self.drag.setEnabled(self._preview is not None and plane is not None)
+        if self._preview is not None:
+            self._preview.section = plane
+            self._preview.drag_section(plane is not None and self.drag.isChecked())

@@ -2,7 +2,6 @@
 """The panel that shows how good a mesh is: the table of stages, histograms, the worst tetrahedra, a cut."""
 import json
 
-import FreeCAD
 import FreeCADGui
 import numpy as np
 from PySide import QtCore, QtGui
@@ -13,11 +12,10 @@ from freecad.fgmesh.io import stage_rows, write_report_table
 from freecad.fgmesh.model.shown_quantities import fraction_title
 from freecad.fgmesh.model.tet_figures import smallest_dihedral_angles, variations
 from freecad.fgmesh.panels.message_label import MessageLabel
+from freecad.fgmesh.panels.section_controls import SectionControls
 from freecad.fgmesh.view import icon, mesh_look
 from freecad.fgmesh.view.texts import translate
 
-_AXES = {"X": (1, 0, 0), "Y": (0, 1, 0), "Z": (0, 0, 1)}
-_STEPS = 200
 _WORST = 20  # tetrahedra that are shown
 
 FRACTION, PLAIN, SMALLEST_ANGLES, LARGEST_VARIATION = range(4)
@@ -114,7 +112,7 @@ class ReportPanel:
         from matplotlib.backends.backend_qt5agg import FigureCanvasQTAgg
         from matplotlib.figure import Figure
 
-        self.figure = Figure(figsize=(4, 3))
+        self.figure = Figure(figsize=(4, 3), dpi=80)  # small letters: the panel is narrow
         self.canvas = FigureCanvasQTAgg(self.figure)
         self.canvas.setObjectName("FGMeshPlot")
         self.canvas.setMinimumHeight(240)
@@ -143,33 +141,20 @@ class ReportPanel:
                 translate("Largest variation"),
             ]
         )
-        self.axis = QtGui.QComboBox()
-        self.axis.setObjectName("FGMeshCutAxis")
-        self.axis.addItems([translate("whole"), *_AXES])
-        self.place = QtGui.QSlider(QtCore.Qt.Horizontal)
-        self.place.setObjectName("FGMeshCutPlace")
-        self.place.setRange(1, _STEPS - 1)
-        self.place.setValue(_STEPS // 2)
-        for signal in (self.look.currentIndexChanged, self.axis.currentIndexChanged, self.place.valueChanged):
-            signal.connect(lambda: self._show_look())
+        self.look.currentIndexChanged.connect(lambda: self._show_look())
+        self.section = SectionControls(self.mesh, self.mesh.FemMesh.BoundBox, "Cut")
+        self.section.changed.connect(self._show_look)
         form.addRow(translate("Show"), self.look)
-        row = QtGui.QHBoxLayout()
-        row.addWidget(self.axis)
-        row.addWidget(self.place, 1)
-        form.addRow(translate("Cut"), row)
+        form.addRow(translate("Cut"), self.section)
         return box
 
     def _show_look(self):
-        look, axis = self.look.currentIndex(), self.axis.currentText()
-        cut = axis in _AXES
-        self.axis.setEnabled(look == FRACTION)
-        self.place.setEnabled(cut and look == FRACTION)
+        look, plane = self.look.currentIndex(), self.section.plane()
+        self.section.setEnabled(look == FRACTION)
         if look == PLAIN:
             mesh_look.show_plain(self.mesh)
-        elif look == FRACTION and cut:
-            mesh_look.cut(self.mesh, (self._plane_origin(), FreeCAD.Vector(*_AXES[axis])), self._title)
         elif look == FRACTION:
-            mesh_look.colour_by_fraction(self.mesh, self._title)
+            mesh_look.cut(self.mesh, plane, self._title)
         else:
             mesh_look.show_worst(self.mesh, self._worst(look))
 
@@ -181,11 +166,6 @@ class ReportPanel:
         else:
             order = -variations(np.array(self.mesh.Fractions), tets)
         return np.argsort(order, kind="stable")[:_WORST]
-
-    def _plane_origin(self):
-        box = self.mesh.FemMesh.BoundBox
-        low, high = FreeCAD.Vector(box.XMin, box.YMin, box.ZMin), FreeCAD.Vector(box.XMax, box.YMax, box.ZMax)
-        return low + (high - low) * (self.place.value() / _STEPS)
 
     def _ask_picture(self):
         self._ask(translate("Pictures (*.png *.svg *.pdf)"), ".png", self.save_picture)
