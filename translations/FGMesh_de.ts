@@ -5,620 +5,766 @@
     <name>FGMesh</name>
     <message>
       <source>0 on the first reference, 1 on the second</source>
-      <translation type="unfinished" />
+      <translation>0 an der ersten Referenz, 1 an der zweiten</translation>
     </message>
     <message>
       <source>1 at the frame's origin; falls by e within 1/alpha</source>
-      <translation type="unfinished" />
+      <translation>1 im Ursprung des Bezugssystems; fällt je 1/alpha auf den e-ten Teil</translation>
     </message>
     <message>
       <source>1 at the low end of the frame's z axis; falls by e within 1/alpha</source>
-      <translation type="unfinished" />
+      <translation>1 am unteren Ende der z-Achse des Bezugssystems; fällt je 1/alpha auf den e-ten Teil</translation>
     </message>
     <message>
       <source>1 on the reference; falls by e within the depth</source>
-      <translation type="unfinished" />
+      <translation>1 an der Referenz; fällt innerhalb der Tiefe auf den e-ten Teil</translation>
     </message>
     <message>
       <source>; a volume fraction must stay between 0 and 1</source>
-      <translation type="unfinished" />
+      <translation>; ein Volumenanteil muss zwischen 0 und 1 bleiben</translation>
     </message>
     <message>
       <source>; not defined in {} % of it</source>
-      <translation type="unfinished" />
+      <translation>; in {} % davon nicht definiert</translation>
     </message>
     <message>
       <source>; only {} MB of memory are free</source>
-      <translation type="unfinished" />
+      <translation>; nur {} MB Speicher sind frei</translation>
     </message>
     <message>
       <source>A smooth step from 0 to 1 in the middle, over the width</source>
-      <translation type="unfinished" />
+      <translation>Eine glatte Stufe von 0 nach 1 in der Mitte, über die Breite</translation>
     </message>
     <message>
       <source>Add</source>
-      <translation type="unfinished" />
+      <translation>Hinzufügen</translation>
     </message>
     <message>
       <source>Anisotropy</source>
-      <translation type="unfinished" />
+      <translation>Anisotropie</translation>
     </message>
     <message>
       <source>As the linear one, to the power n</source>
-      <translation type="unfinished" />
+      <translation>Wie linear, hoch n</translation>
     </message>
     <message>
       <source>Ball, exponential about its centre (case study I)</source>
-      <translation type="unfinished" />
+      <translation>Kugel, exponentiell um die Mitte (Fallstudie I)</translation>
     </message>
     <message>
       <source>Bracket, from one face to another</source>
-      <translation type="unfinished" />
+      <translation>Winkel, von einer Fläche zur anderen</translation>
     </message>
     <message>
       <source>Cancel</source>
-      <translation type="unfinished" />
+      <translation>Abbrechen</translation>
     </message>
     <message>
       <source>Click ...</source>
-      <translation type="unfinished" />
+      <translation>Klicken ...</translation>
     </message>
     <message>
       <source>Click on d{} ...</source>
-      <translation type="unfinished" />
+      <translation>d{} anklicken ...</translation>
     </message>
     <message>
       <source>Coated insert, two solids with a material each</source>
-      <translation type="unfinished" />
+      <translation>Stift in einer Platte, zwei Festkörper mit je einem Material</translation>
     </message>
     <message>
       <source>Constituent 1</source>
-      <translation type="unfinished" />
+      <translation>Bestandteil 1</translation>
     </message>
     <message>
       <source>Constituent 2</source>
-      <translation type="unfinished" />
+      <translation>Bestandteil 2</translation>
     </message>
     <message>
       <source>Cut</source>
-      <translation type="unfinished" />
+      <translation>Schnitt</translation>
     </message>
     <message>
       <source>Cuts the solid open across this axis</source>
-      <translation type="unfinished" />
+      <translation>Schneidet den Festkörper quer zu dieser Achse auf</translation>
     </message>
     <message>
       <source>Cylinder, power law along its axis (case study II)</source>
-      <translation type="unfinished" />
+      <translation>Zylinder, Potenzgesetz längs der Achse (Fallstudie II)</translation>
+    </message>
+    <message>
+      <source>Dihedral angle, degrees</source>
+      <translation>Diederwinkel in Grad</translation>
     </message>
     <message>
       <source>Dihedral angles</source>
-      <translation type="unfinished" />
+      <translation>Diederwinkel</translation>
     </message>
     <message>
       <source>Direction of the frame's z axis: x, y, z</source>
-      <translation type="unfinished" />
+      <translation>Richtung der z-Achse des Bezugssystems: x, y, z</translation>
     </message>
     <message>
       <source>Drag in the view</source>
-      <translation type="unfinished" />
+      <translation>In der Ansicht ziehen</translation>
     </message>
     <message>
       <source>Edges much longer than this are split; 0: the part's diagonal / 8</source>
-      <translation type="unfinished" />
+      <translation>Kanten, die viel länger sind, werden geteilt; 0: Diagonale des Teils / 8</translation>
     </message>
     <message>
       <source>Examples</source>
-      <translation type="unfinished" />
+      <translation>Beispiele</translation>
     </message>
     <message>
       <source>Expected: ...</source>
-      <translation type="unfinished" />
+      <translation>Erwartet: ...</translation>
     </message>
     <message>
       <source>Expected: about {} tetrahedra, {} MB</source>
-      <translation type="unfinished" />
+      <translation>Erwartet: etwa {} Tetraeder, {} MB</translation>
     </message>
     <message>
       <source>Exponential about a point</source>
-      <translation type="unfinished" />
+      <translation>Exponentiell um einen Punkt</translation>
     </message>
     <message>
       <source>Exponential along z</source>
-      <translation type="unfinished" />
+      <translation>Exponentiell längs z</translation>
     </message>
     <message>
       <source>FGMesh</source>
-      <translation type="unfinished" />
+      <translation>FGMesh</translation>
     </message>
     <message>
       <source>Fraction</source>
-      <translation type="unfinished" />
+      <translation>Volumenanteil</translation>
     </message>
     <message>
       <source>Frame of x y z r theta d</source>
-      <translation type="unfinished" />
+      <translation>Bezugssystem für x y z r theta d</translation>
     </message>
     <message>
       <source>From 0 at the frame's origin to 1 at the radius</source>
-      <translation type="unfinished" />
+      <translation>Von 0 im Ursprung des Bezugssystems bis 1 am Radius</translation>
     </message>
     <message>
       <source>From 0 at the low end to 1 at the high end of the frame's x axis</source>
-      <translation type="unfinished" />
+      <translation>Von 0 am unteren bis 1 am oberen Ende der x-Achse des Bezugssystems</translation>
     </message>
     <message>
       <source>From 0 at the low end to 1 at the high end of the frame's y axis</source>
-      <translation type="unfinished" />
+      <translation>Von 0 am unteren bis 1 am oberen Ende der y-Achse des Bezugssystems</translation>
     </message>
     <message>
       <source>From 0 at the low end to 1 at the high end of the frame's z axis</source>
-      <translation type="unfinished" />
+      <translation>Von 0 am unteren bis 1 am oberen Ende der z-Achse des Bezugssystems</translation>
     </message>
     <message>
       <source>From 0 on the frame's z axis to 1 at the radius</source>
-      <translation type="unfinished" />
+      <translation>Von 0 auf der z-Achse des Bezugssystems bis 1 am Radius</translation>
     </message>
     <message>
       <source>From face A to face B</source>
-      <translation type="unfinished" />
+      <translation>Von Fläche A zu Fläche B</translation>
     </message>
     <message>
       <source>Graded material of {}</source>
-      <translation type="unfinished" />
+      <translation>Gradientenwerkstoff von {}</translation>
     </message>
     <message>
       <source>Groups</source>
-      <translation type="unfinished" />
+      <translation>Gruppen</translation>
     </message>
     <message>
       <source>In the view</source>
-      <translation type="unfinished" />
+      <translation>In der Ansicht</translation>
     </message>
     <message>
       <source>Is</source>
-      <translation type="unfinished" />
+      <translation>Ergibt</translation>
     </message>
     <message>
       <source>Largest difference of composition allowed inside one tetrahedron, above 0 and at most 1</source>
-      <translation type="unfinished" />
+      <translation>Größter zulässiger Unterschied der Zusammensetzung innerhalb eines Tetraeders, über 0 und höchstens 1</translation>
     </message>
     <message>
       <source>Largest distance of the mesh's boundary to the true one; 0: the part's diagonal / 2000, or less where the volume would be more than 0.5 % off</source>
-      <translation type="unfinished" />
+      <translation>Größter Abstand der Netzoberfläche von der wahren; 0: Diagonale des Teils / 2000, oder weniger, wo das Volumen um mehr als 0,5 % abwiche</translation>
     </message>
     <message>
       <source>Largest size</source>
-      <translation type="unfinished" />
+      <translation>Max. Elementgröße</translation>
     </message>
     <message>
       <source>Largest stretch of an element across the gradient; 1: isotropic (more is not available yet)</source>
-      <translation type="unfinished" />
+      <translation>Größte Streckung eines Elements quer zum Gradienten; 1: isotrop (mehr gibt es noch nicht)</translation>
     </message>
     <message>
       <source>Largest variation</source>
-      <translation type="unfinished" />
+      <translation>Größte Variation</translation>
     </message>
     <message>
       <source>Layer below a face</source>
-      <translation type="unfinished" />
+      <translation>Schicht unter einer Fläche</translation>
     </message>
     <message>
       <source>Linear along x</source>
-      <translation type="unfinished" />
+      <translation>Linear längs x</translation>
     </message>
     <message>
       <source>Linear along y</source>
-      <translation type="unfinished" />
+      <translation>Linear längs y</translation>
     </message>
     <message>
       <source>Linear along z</source>
-      <translation type="unfinished" />
+      <translation>Linear längs z</translation>
     </message>
     <message>
       <source>Make {} a parameter</source>
-      <translation type="unfinished" />
+      <translation>{} zum Parameter machen</translation>
     </message>
     <message>
       <source>Material of {}</source>
-      <translation type="unfinished" />
+      <translation>Material von {}</translation>
     </message>
     <message>
       <source>Material threshold</source>
-      <translation type="unfinished" />
+      <translation>Materialschwelle</translation>
     </message>
     <message>
       <source>Mesh</source>
-      <translation type="unfinished" />
+      <translation>Vernetzen</translation>
     </message>
     <message>
       <source>Mesh again ...</source>
-      <translation type="unfinished" />
+      <translation>Neu vernetzen ...</translation>
     </message>
     <message>
       <source>Mesh graded solid</source>
-      <translation type="unfinished" />
+      <translation>Gradierten Festkörper vernetzen</translation>
     </message>
     <message>
       <source>Mesh of {}</source>
-      <translation type="unfinished" />
+      <translation>Netz von {}</translation>
     </message>
     <message>
       <source>No refinement makes edges shorter than this; 0: the part's diagonal / 2000</source>
-      <translation type="unfinished" />
+      <translation>Keine Verfeinerung macht Kanten kürzer; 0: Diagonale des Teils / 2000</translation>
     </message>
     <message>
       <source>Nothing was changed: {}</source>
-      <translation type="unfinished" />
+      <translation>Nichts wurde geändert: {}</translation>
     </message>
     <message>
       <source>On the solid: {} to {}</source>
-      <translation type="unfinished" />
+      <translation>Im Festkörper: {} bis {}</translation>
     </message>
     <message>
       <source>Open</source>
-      <translation type="unfinished" />
+      <translation>Öffnen</translation>
     </message>
     <message>
       <source>Origin</source>
-      <translation type="unfinished" />
+      <translation>Ursprung</translation>
     </message>
     <message>
       <source>Origin of the frame in the solid's own coordinates, mm: x, y, z</source>
-      <translation type="unfinished" />
+      <translation>Ursprung des Bezugssystems in den eigenen Koordinaten des Festkörpers, mm: x, y, z</translation>
     </message>
     <message>
       <source>Parameter</source>
-      <translation type="unfinished" />
+      <translation>Parameter</translation>
     </message>
     <message>
       <source>Pick</source>
-      <translation type="unfinished" />
+      <translation>Wählen</translation>
     </message>
     <message>
       <source>Pictures (*.png *.svg *.pdf)</source>
-      <translation type="unfinished" />
+      <translation>Bilder (*.png *.svg *.pdf)</translation>
     </message>
     <message>
       <source>Plain</source>
-      <translation type="unfinished" />
+      <translation>Schlicht</translation>
+    </message>
+    <message>
+      <source>Poisson's ratio</source>
+      <translation>Querkontraktionszahl</translation>
     </message>
     <message>
       <source>Power law along z</source>
-      <translation type="unfinished" />
+      <translation>Potenzgesetz längs z</translation>
     </message>
     <message>
       <source>Preview</source>
-      <translation type="unfinished" />
+      <translation>Vorschau</translation>
     </message>
     <message>
       <source>Processors to use; without effect yet, one is used</source>
-      <translation type="unfinished" />
+      <translation>Zu nutzende Prozessoren; noch ohne Wirkung, einer wird genutzt</translation>
     </message>
     <message>
       <source>Radial</source>
-      <translation type="unfinished" />
+      <translation>Radial</translation>
     </message>
     <message>
       <source>Ready gradings ...</source>
-      <translation type="unfinished" />
+      <translation>Fertige Verläufe ...</translation>
     </message>
     <message>
       <source>References of d1 d2 ...</source>
-      <translation type="unfinished" />
+      <translation>Referenzen für d1 d2 ...</translation>
     </message>
     <message>
       <source>Remove</source>
-      <translation type="unfinished" />
+      <translation>Entfernen</translation>
     </message>
     <message>
       <source>Report ...</source>
-      <translation type="unfinished" />
+      <translation>Bericht ...</translation>
     </message>
     <message>
       <source>Report of {}</source>
-      <translation type="unfinished" />
+      <translation>Bericht zu {}</translation>
     </message>
     <message>
       <source>Reset</source>
-      <translation type="unfinished" />
+      <translation>Zurücksetzen</translation>
     </message>
     <message>
       <source>Run</source>
-      <translation type="unfinished" />
+      <translation>Lauf</translation>
     </message>
     <message>
       <source>Save</source>
-      <translation type="unfinished" />
+      <translation>Speichern</translation>
     </message>
     <message>
       <source>Save picture ...</source>
-      <translation type="unfinished" />
+      <translation>Bild speichern ...</translation>
     </message>
     <message>
       <source>Save table ...</source>
-      <translation type="unfinished" />
+      <translation>Tabelle speichern ...</translation>
     </message>
     <message>
       <source>Section</source>
-      <translation type="unfinished" />
+      <translation>Schnitt</translation>
     </message>
     <message>
       <source>Set graded material</source>
-      <translation type="unfinished" />
+      <translation>Gradientenwerkstoff zuweisen</translation>
     </message>
     <message>
       <source>Show</source>
-      <translation type="unfinished" />
+      <translation>Zeigen</translation>
     </message>
     <message>
       <source>Show the material</source>
-      <translation type="unfinished" />
+      <translation>Material zeigen</translation>
     </message>
     <message>
       <source>Sigmoid layer across z</source>
-      <translation type="unfinished" />
+      <translation>Sigmoide Schicht quer zu z</translation>
     </message>
     <message>
       <source>Smallest angles</source>
-      <translation type="unfinished" />
+      <translation>Kleinste Winkel</translation>
     </message>
     <message>
       <source>Smallest size</source>
-      <translation type="unfinished" />
+      <translation>Min. Elementgröße</translation>
     </message>
     <message>
       <source>Spherical</source>
-      <translation type="unfinished" />
+      <translation>Kugelförmig</translation>
     </message>
     <message>
       <source>Start of the random numbers; the same seed, the same mesh</source>
-      <translation type="unfinished" />
+      <translation>Anfang der Zufallszahlen; gleicher Anfang, gleiches Netz</translation>
     </message>
     <message>
       <source>Surface deviation</source>
-      <translation type="unfinished" />
+      <translation>Flächenabweichung</translation>
     </message>
     <message>
       <source>Tables (*.csv)</source>
-      <translation type="unfinished" />
+      <translation>Tabellen (*.csv)</translation>
     </message>
     <message>
       <source>Ten-node tetrahedra</source>
-      <translation type="unfinished" />
+      <translation>Zehnknotige Tetraeder</translation>
     </message>
     <message>
       <source>Ten-node tetrahedra in place of four-node ones, with nodes on the true faces and edges</source>
-      <translation type="unfinished" />
+      <translation>Zehnknotige statt vierknotiger Tetraeder, mit Knoten auf den wahren Flächen und Kanten</translation>
     </message>
     <message>
       <source>The formula is not defined anywhere on the solid</source>
-      <translation type="unfinished" />
+      <translation>Die Formel ist nirgends im Festkörper definiert</translation>
     </message>
     <message>
       <source>The frame takes three numbers each, as in 0, 0, 1; it was left as it was</source>
-      <translation type="unfinished" />
+      <translation>Das Bezugssystem braucht je drei Zahlen wie 0, 0, 1; es blieb, wie es war</translation>
     </message>
     <message>
       <source>The last of the three stages to run</source>
-      <translation type="unfinished" />
+      <translation>Die letzte der drei Stufen, die läuft</translation>
     </message>
     <message>
       <source>The solid's own coordinates</source>
-      <translation type="unfinished" />
+      <translation>Die eigenen Koordinaten des Festkörpers</translation>
     </message>
     <message>
       <source>Then click on a face, an edge or a vertex in the 3D view, or on a solid in the tree</source>
-      <translation type="unfinished" />
+      <translation>Klicken Sie dann auf eine Fläche, eine Kante oder einen Eckpunkt in der 3D-Ansicht oder auf einen Festkörper im Baum</translation>
     </message>
     <message>
       <source>Then click on a face, an edge, a vertex, a datum or a coordinate system: the frame stands there, its z axis along the normal or the axis</source>
-      <translation type="unfinished" />
+      <translation>Klicken Sie dann auf eine Fläche, eine Kante, einen Eckpunkt, ein Bezugselement oder ein Koordinatensystem: Dort steht das Bezugssystem, seine z-Achse längs der Normalen oder der Achse</translation>
     </message>
     <message>
       <source>Value</source>
-      <translation type="unfinished" />
+      <translation>Wert</translation>
     </message>
     <message>
       <source>Values are numbers (0.08), numbers with units (2 cm) or expressions of FreeCAD (Height/2, Spreadsheet.alpha), which then drive the parameter</source>
-      <translation type="unfinished" />
+      <translation>Werte sind Zahlen (0.08), Zahlen mit Einheiten (2 cm) oder Ausdrücke von FreeCAD (Height/2, Spreadsheet.alpha), denen der Parameter dann folgt</translation>
     </message>
     <message>
       <source>Variation of composition</source>
-      <translation type="unfinished" />
+      <translation>Variation der Zusammensetzung</translation>
+    </message>
+    <message>
+      <source>Variation of composition in a tetrahedron</source>
+      <translation>Variation im Tetraeder</translation>
     </message>
     <message>
       <source>Volume fraction of constituent 1</source>
-      <translation type="unfinished" />
+      <translation>Volumenanteil von Bestandteil 1</translation>
     </message>
     <message>
       <source>Volume fraction of the first constituent, 0 to 1, over x y z r theta d (mm, radians, in the material's frame), the parameters, and d1 d2 ..., the distances to the references</source>
-      <translation type="unfinished" />
+      <translation>Volumenanteil des ersten Bestandteils, 0 bis 1, aus x y z r theta d (mm, Bogenmaß, im Bezugssystem des Materials), den Parametern und d1 d2 ..., den Abständen zu den Referenzen</translation>
     </message>
     <message>
       <source>Write a formula, or choose a ready grading above</source>
-      <translation type="unfinished" />
+      <translation>Schreiben Sie eine Formel, oder wählen Sie oben einen fertigen Verlauf</translation>
+    </message>
+    <message>
+      <source>Young's modulus</source>
+      <translation>Elastizitätsmodul</translation>
+    </message>
+    <message>
+      <source>above threshold</source>
+      <translation>über Schwelle</translation>
+    </message>
+    <message>
+      <source>above {}</source>
+      <translation>über {}</translation>
+    </message>
+    <message>
+      <source>angle max</source>
+      <translation>Winkel max</translation>
+    </message>
+    <message>
+      <source>angle min</source>
+      <translation>Winkel min</translation>
     </message>
     <message>
       <source>automatic</source>
-      <translation type="unfinished" />
+      <translation>automatisch</translation>
+    </message>
+    <message>
+      <source>below {}</source>
+      <translation>unter {}</translation>
     </message>
     <message>
       <source>d1 is the distance to the first of them, d2 to the second, and so on</source>
-      <translation type="unfinished" />
+      <translation>d1 ist der Abstand zur ersten, d2 zur zweiten und so weiter</translation>
+    </message>
+    <message>
+      <source>density</source>
+      <translation>Dichte</translation>
     </message>
     <message>
       <source>edges</source>
-      <translation type="unfinished" />
+      <translation>Kanten</translation>
     </message>
     <message>
       <source>faces</source>
-      <translation type="unfinished" />
+      <translation>Flächen</translation>
+    </message>
+    <message>
+      <source>facets</source>
+      <translation>Facetten</translation>
+    </message>
+    <message>
+      <source>fraction of constituent 1</source>
+      <translation>Anteil von Bestandteil 1</translation>
+    </message>
+    <message>
+      <source>fraction of constituent 2</source>
+      <translation>Anteil von Bestandteil 2</translation>
+    </message>
+    <message>
+      <source>fraction of {}</source>
+      <translation>Anteil von {}</translation>
+    </message>
+    <message>
+      <source>geometry</source>
+      <translation>Geometrie</translation>
     </message>
     <message>
       <source>geometry-oriented refinement</source>
-      <translation type="unfinished" />
+      <translation>Verfeinerung nach der Geometrie</translation>
+    </message>
+    <message>
+      <source>initial</source>
+      <translation>Anfang</translation>
     </message>
     <message>
       <source>initial mesh</source>
-      <translation type="unfinished" />
+      <translation>Anfangsnetz</translation>
+    </message>
+    <message>
+      <source>last bar: all above</source>
+      <translation>letzter Balken: alle darüber</translation>
+    </message>
+    <message>
+      <source>material</source>
+      <translation>Material</translation>
     </message>
     <message>
       <source>material-oriented refinement</source>
-      <translation type="unfinished" />
+      <translation>Verfeinerung nach dem Material</translation>
+    </message>
+    <message>
+      <source>mean {mean:.4f}
+max {max:.4f}</source>
+      <translation>Mittel {mean:.4f}
+max {max:.4f}</translation>
     </message>
     <message>
       <source>measuring references</source>
-      <translation type="unfinished" />
+      <translation>Messen der Referenzen</translation>
+    </message>
+    <message>
+      <source>no value</source>
+      <translation>kein Wert</translation>
+    </message>
+    <message>
+      <source>points</source>
+      <translation>Punkte</translation>
     </message>
     <message>
       <source>reading the shape</source>
-      <translation type="unfinished" />
+      <translation>Lesen der Form</translation>
+    </message>
+    <message>
+      <source>seconds</source>
+      <translation>Sekunden</translation>
+    </message>
+    <message>
+      <source>share of angles</source>
+      <translation>Anteil der Winkel</translation>
+    </message>
+    <message>
+      <source>share of tetrahedra</source>
+      <translation>Anteil der Tetraeder</translation>
     </message>
     <message>
       <source>solids</source>
-      <translation type="unfinished" />
+      <translation>Festkörper</translation>
+    </message>
+    <message>
+      <source>specific heat</source>
+      <translation>Spezifische Wärme</translation>
     </message>
     <message>
       <source>starting</source>
-      <translation type="unfinished" />
+      <translation>Start</translation>
+    </message>
+    <message>
+      <source>tetrahedra</source>
+      <translation>Tetraeder</translation>
+    </message>
+    <message>
+      <source>thermal conductivity</source>
+      <translation>Wärmeleitfähigkeit</translation>
+    </message>
+    <message>
+      <source>thermal expansion</source>
+      <translation>Wärmeausdehnung</translation>
+    </message>
+    <message>
+      <source>threshold</source>
+      <translation>Schwelle</translation>
+    </message>
+    <message>
+      <source>variation max</source>
+      <translation>Variation max</translation>
+    </message>
+    <message>
+      <source>variation mean</source>
+      <translation>Variation Mittel</translation>
+    </message>
+    <message>
+      <source>variation min</source>
+      <translation>Variation min</translation>
     </message>
     <message>
       <source>vertices</source>
-      <translation type="unfinished" />
+      <translation>Eckpunkte</translation>
+    </message>
+    <message>
+      <source>volume fraction</source>
+      <translation>Volumenanteil</translation>
     </message>
     <message>
       <source>whole</source>
-      <translation type="unfinished" />
+      <translation>ganz</translation>
     </message>
     <message>
       <source>z axis</source>
-      <translation type="unfinished" />
+      <translation>z-Achse</translation>
+    </message>
+    <message>
+      <source>{} has lost its solid: set its Shape to a graded solid</source>
+      <translation>{} hat seinen Festkörper verloren: Setzen Sie Shape auf einen gradierten Festkörper</translation>
     </message>
     <message>
       <source>{} tetrahedra, variation up to {}, angles from {} to {} degrees</source>
-      <translation type="unfinished" />
+      <translation>{} Tetraeder, Variation bis {}, Winkel von {} bis {} Grad</translation>
+    </message>
+    <message>
+      <source>{}: {} is no length; write for example 0.5 mm</source>
+      <translation>{}: {} ist keine Länge; schreiben Sie zum Beispiel 0,5 mm</translation>
+    </message>
+    <message>
+      <source>{}: {} tetrahedra</source>
+      <translation>{}: {} Tetraeder</translation>
     </message>
   </context>
   <context>
     <name>FGMeshPreferences</name>
     <message>
       <source> MB</source>
-      <translation type="unfinished" />
+      <translation> MB</translation>
     </message>
     <message>
       <source>General</source>
-      <translation type="unfinished" />
+      <translation>Allgemein</translation>
     </message>
     <message>
       <source>Largest difference of composition inside one tetrahedron</source>
-      <translation type="unfinished" />
+      <translation>Größter Unterschied der Zusammensetzung innerhalb eines Tetraeders</translation>
     </message>
     <message>
       <source>Material threshold</source>
-      <translation type="unfinished" />
+      <translation>Materialschwelle</translation>
     </message>
     <message>
       <source>Memory limit</source>
-      <translation type="unfinished" />
+      <translation>Speichergrenze</translation>
     </message>
     <message>
       <source>Meshing runs</source>
-      <translation type="unfinished" />
+      <translation>Vernetzungsläufe</translation>
     </message>
     <message>
       <source>New meshes</source>
-      <translation type="unfinished" />
+      <translation>Neue Netze</translation>
     </message>
     <message>
       <source>Preview</source>
-      <translation type="unfinished" />
+      <translation>Vorschau</translation>
     </message>
     <message>
       <source>Shown as soon as the panel of a material opens</source>
-      <translation type="unfinished" />
+      <translation>Zu sehen, sobald der Dialog eines Materials aufgeht</translation>
     </message>
     <message>
       <source>Ten-node tetrahedra</source>
-      <translation type="unfinished" />
+      <translation>Zehnknotige Tetraeder</translation>
     </message>
     <message>
       <source>Time limit</source>
-      <translation type="unfinished" />
+      <translation>Zeitgrenze</translation>
     </message>
     <message>
       <source>nine tenths of what is free</source>
-      <translation type="unfinished" />
+      <translation>neun Zehntel des freien</translation>
     </message>
     <message>
       <source>none</source>
-      <translation type="unfinished" />
+      <translation>keine</translation>
     </message>
   </context>
   <context>
     <name>FGMesh_Examples</name>
     <message>
       <source>Examples ...</source>
-      <translation type="unfinished" />
+      <translation>Beispiele ...</translation>
     </message>
     <message>
       <source>Opens a document with graded solids, ready to be meshed</source>
-      <translation type="unfinished" />
+      <translation>Öffnet ein Dokument mit gradierten Festkörpern, bereit zum Vernetzen</translation>
     </message>
   </context>
   <context>
     <name>FGMesh_Material</name>
     <message>
       <source>Gives the selected solids a material that changes by a formula, or changes theirs</source>
-      <translation type="unfinished" />
+      <translation>Gibt den gewählten Festkörpern ein Material, das sich nach einer Formel ändert, oder ändert das ihre</translation>
     </message>
     <message>
       <source>Graded material ...</source>
-      <translation type="unfinished" />
+      <translation>Gradientenwerkstoff ...</translation>
     </message>
   </context>
   <context>
     <name>FGMesh_Mesh</name>
     <message>
       <source>Makes the mesh of the selected graded solid, or makes the selected mesh again</source>
-      <translation type="unfinished" />
+      <translation>Vernetzt den gewählten gradierten Festkörper oder macht das gewählte Netz neu</translation>
     </message>
     <message>
       <source>Mesh graded solid ...</source>
-      <translation type="unfinished" />
+      <translation>Gradierten Festkörper vernetzen ...</translation>
     </message>
   </context>
   <context>
     <name>FGMesh_Preview</name>
     <message>
       <source>Colours the selected graded solid by its material, whole or cut open</source>
-      <translation type="unfinished" />
+      <translation>Färbt den gewählten gradierten Festkörper nach seinem Material, ganz oder aufgeschnitten</translation>
     </message>
     <message>
       <source>Preview of the material</source>
-      <translation type="unfinished" />
+      <translation>Vorschau des Materials</translation>
     </message>
   </context>
   <context>
     <name>FGMesh_Report</name>
     <message>
       <source>Figures of the selected mesh: stages, histograms, the worst tetrahedra, a cut</source>
-      <translation type="unfinished" />
+      <translation>Zahlen zum gewählten Netz: Stufen, Histogramme, die schlechtesten Tetraeder, ein Schnitt</translation>
     </message>
     <message>
       <source>Report of the mesh</source>
-      <translation type="unfinished" />
+      <translation>Bericht zum Netz</translation>
     </message>
   </context>
   <context>
     <name>Workbench</name>
     <message>
       <source>FGMesh</source>
-      <translation type="unfinished" />
+      <translation>FGMesh</translation>
     </message>
     <message>
       <source>Tetrahedral FEM meshes of functionally graded solids</source>
-      <translation type="unfinished" />
+      <translation>FEM-Tetraedernetze von Festkörpern aus Gradientenwerkstoff</translation>
     </message>
   </context>
 </TS>

@@ -35,4 +35,5 @@ class FGMeshWorkbench(FreeCADGui.Workbench):
 
 
 FreeCADGui.addWorkbench(FGMeshWorkbench())
+FreeCADGui.addIcon("preferences-fgmesh", ICON)  # by which name FreeCAD looks for it
 FreeCADGui.addPreferencePage(str(Path(__file__).absolute().parent / "panels" / "preferences.ui"), "FGMesh")

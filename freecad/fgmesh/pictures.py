@@ -54,21 +54,31 @@ def draw_dihedral(report, path):
     _save(plot_dihedral, report, path)
 
 
-def plot_variation(report, figure):
-    """Fills a matplotlib Figure: how the variation is distributed over the tetrahedra, stage by stage."""
-    axes = _stage_axes(figure, report, "Variation of composition in a tetrahedron", "share of tetrahedra")
+def plot_variation(report, figure, translate=str):
+    """Fills a matplotlib Figure: how the variation is distributed over the tetrahedra, stage by stage. Texts go
+    through `translate`."""
+    horizontal = translate("Variation of composition in a tetrahedron")
+    axes = _stage_axes(figure, report, horizontal, translate("share of tetrahedra"), translate)
     for axis, stage in zip(axes, report["stages"]):
         _draw_bars(axis, stage["variation"]["histogram"])
         axis.axvline(report["threshold"], color="0.3", linestyle="--", linewidth=1)
-        axis.text(report["threshold"], 0.98, " threshold", transform=axis.get_xaxis_transform(), va="top")
+        axis.text(
+            report["threshold"],
+            0.98,
+            " " + translate("threshold"),
+            transform=axis.get_xaxis_transform(),
+            va="top",
+        )
         cut_off = stage["variation"]["max"] > stage["variation"]["histogram"]["high"]
-        note = "\nlast bar: all above" if cut_off else ""
-        _annotate(axis, stage["variation"], "mean {mean:.4f}\nmax {max:.4f}" + note)
+        note = "\n" + translate("last bar: all above") if cut_off else ""
+        _annotate(axis, stage["variation"], translate("mean {mean:.4f}\nmax {max:.4f}") + note)
 
 
-def plot_dihedral(report, figure):
-    """Fills a matplotlib Figure: how the dihedral angles are distributed, stage by stage."""
-    axes = _stage_axes(figure, report, "Dihedral angle, degrees", "share of angles")
+def plot_dihedral(report, figure, translate=str):
+    """Fills a matplotlib Figure: how the dihedral angles are distributed, stage by stage. Texts go through
+    `translate`."""
+    horizontal = translate("Dihedral angle, degrees")
+    axes = _stage_axes(figure, report, horizontal, translate("share of angles"), translate)
     for axis, stage in zip(axes, report["stages"]):
         _draw_bars(axis, stage["dihedral"]["histogram"])
         axis.set_xlim(0, 180)
@@ -84,14 +94,14 @@ def _save(plot, report, path):
     figure.savefig(path, dpi=120)
 
 
-def _stage_axes(figure, report, horizontal, vertical):
+def _stage_axes(figure, report, horizontal, vertical, translate):
     from matplotlib.ticker import PercentFormatter
 
     stages = report["stages"]
     figure.set_constrained_layout(True)
     axes = figure.subplots(1, len(stages), squeeze=False)
     for axis, stage in zip(axes[0], stages):
-        axis.set_title(f"{STAGE_NAMES[stage['name']]}: {stage['tets']} tetrahedra")
+        axis.set_title(translate("{}: {} tetrahedra").format(STAGE_NAMES[stage["name"]], stage["tets"]))
         axis.set_xlabel(horizontal)
         axis.yaxis.set_major_formatter(PercentFormatter(1.0, decimals=0))
         axis.spines[["top", "right"]].set_visible(False)

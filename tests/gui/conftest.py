@@ -3,6 +3,7 @@
 import json
 import os
 import subprocess
+import xml.etree.ElementTree as xml
 from pathlib import Path
 
 import pytest
@@ -16,6 +17,34 @@ def artifacts(build_dir):
     folder = build_dir / "test-artifacts"
     folder.mkdir(exist_ok=True)
     return folder
+
+
+@pytest.fixture
+def preferences():
+    """A function: FreeCAD's user.cfg with entries of BaseApp/Preferences, as in preferences(General={"Language":
+    "German"}). Groups below others: {"Mod/FGMesh": {...}}."""
+
+    def make(groups=None, **more):
+        root = xml.Element("FCParameters")
+        base = xml.SubElement(root, "FCParamGroup", Name="Root")
+        for path, entries in {**(groups or {}), **more}.items():
+            group = base
+            for name in f"BaseApp/Preferences/{path}".split("/"):
+                known = group.find(f"FCParamGroup[@Name='{name}']")
+                group = xml.SubElement(group, "FCParamGroup", Name=name) if known is None else known
+            for name, value in entries.items():
+                _add_entry(group, name, value)
+        return xml.tostring(root, encoding="unicode", xml_declaration=True)
+
+    return make
+
+
+def _add_entry(group, name, value):
+    if isinstance(value, str):
+        xml.SubElement(group, "FCText", Name=name).text = value
+    else:
+        kind = {bool: "FCBool", int: "FCInt", float: "FCFloat"}[type(value)]
+        xml.SubElement(group, kind, Name=name, Value=str(int(value) if kind == "FCBool" else value))
 
 
 @pytest.fixture

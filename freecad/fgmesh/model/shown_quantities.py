@@ -6,22 +6,29 @@ import FreeCAD
 
 from freecad.fgmesh.model import constituents
 from freecad.fgmesh.model.graded_parts import graded_parts
+from freecad.fgmesh.model.texts import TRANSLATE_LATER
 
-_PROPERTIES = (
-    ("YoungsModulus", "GPa"),
-    ("PoissonRatio", ""),
-    ("Density", "kg/m^3"),
-    ("ThermalConductivity", "W/m/K"),
-    ("ThermalExpansionCoefficient", "um/m/K"),
-    ("SpecificHeat", "J/kg/K"),
+_FRACTION = TRANSLATE_LATER("FGMesh", "fraction of {}")
+_NAMELESS = (
+    TRANSLATE_LATER("FGMesh", "fraction of constituent 1"),
+    TRANSLATE_LATER("FGMesh", "fraction of constituent 2"),
 )
-"""Name in material cards, unit that it is shown in."""
+_PROPERTIES = (
+    ("YoungsModulus", TRANSLATE_LATER("FGMesh", "Young's modulus"), "GPa"),
+    ("PoissonRatio", TRANSLATE_LATER("FGMesh", "Poisson's ratio"), ""),
+    ("Density", TRANSLATE_LATER("FGMesh", "density"), "kg/m^3"),
+    ("ThermalConductivity", TRANSLATE_LATER("FGMesh", "thermal conductivity"), "W/m/K"),
+    ("ThermalExpansionCoefficient", TRANSLATE_LATER("FGMesh", "thermal expansion"), "um/m/K"),
+    ("SpecificHeat", TRANSLATE_LATER("FGMesh", "specific heat"), "J/kg/K"),
+)
+"""Name in material cards, name for users, unit that it is shown in."""
 
 
 class Quantity(NamedTuple):
     """A value that depends linearly on the fraction of the first constituent."""
 
-    name: str
+    name: str  # English, with {} for `constituent`; translated in the context "FGMesh"
+    constituent: str
     unit: str
     at_zero: float
     at_one: float
@@ -34,34 +41,35 @@ class Quantity(NamedTuple):
     def range(self):
         return min(self.at_zero, self.at_one), max(self.at_zero, self.at_one)
 
-    @property
-    def title(self):
-        return f"{self.name}, {self.unit}" if self.unit else self.name
+    def title(self, translate=str):
+        """What it is called, by a function that translates."""
+        name = translate(self.name).format(self.constituent)
+        return f"{name}, {self.unit}" if self.unit else name
 
 
-def fraction_title(solid):
-    """What the fraction of the first constituent of `solid` is called; None for a solid that was deleted."""
+def fraction_title(solid, translate=str):
+    """What the fraction of the first constituent of `solid`, None where it was deleted, is called."""
     parts = graded_parts(solid) if solid is not None else []
     names = list(getattr(parts[0][0], "FGMConstituents", [])) if parts else []
-    return _fraction_of(names[0] if names else "constituent 1")
+    return _fractions(names)[0].title(translate)
 
 
 def shown_quantities(names, document):
     """The Quantities of a solid made of the constituents called `names` (two, or none yet): the fractions, then
     each property that both cards have, mixed in proportion to the fractions (rule of mixtures, Voigt 1889).
     """
-    first, second = names if len(names) == 2 else ("constituent 1", "constituent 2")
-    found = [Quantity(_fraction_of(first), "", 0, 1), Quantity(_fraction_of(second), "", 1, 0)]
+    found = _fractions(names)
     cards = [constituents.properties(name, document) for name in names]
-    for name, unit in _PROPERTIES if len(cards) == 2 else ():
-        values = [_value(card.get(name), unit) for card in cards]
+    for key, name, unit in _PROPERTIES if len(cards) == 2 else ():
+        values = [_value(card.get(key), unit) for card in cards]
         if None not in values and values[0] != values[1]:
-            found.append(Quantity(name, unit, values[1], values[0]))
+            found.append(Quantity(name, "", unit, values[1], values[0]))
     return found
 
 
-def _fraction_of(name):
-    return f"fraction of {name}"
+def _fractions(names):
+    titles = [(_FRACTION, name) for name in names] if len(names) == 2 else [(name, "") for name in _NAMELESS]
+    return [Quantity(*titles[0], "", 0, 1), Quantity(*titles[1], "", 1, 0)]
 
 
 def _value(text, unit):

@@ -5,7 +5,7 @@ from PySide import QtCore
 from freecad.fgmesh import core, worker
 from freecad.fgmesh.fem.background import Request
 from freecad.fgmesh.panels.message_label import MessageLabel
-from freecad.fgmesh.view.texts import translate
+from freecad.fgmesh.view.texts import number_text, translate
 
 _WAIT_MILLISECONDS, _POLL_MILLISECONDS = 300, 50
 
@@ -63,11 +63,13 @@ class Expectation(MessageLabel):
 
     def _tell(self, estimate):
         text = translate("Expected: about {} tetrahedra, {} MB").format(
-            f"{round_to_two(estimate.tets):,}", f"{round_to_two(estimate.memory_mb):,}"
+            number_text(round_to_two(estimate.tets), ","), number_text(round_to_two(estimate.memory_mb), ",")
         )
         available = worker.available_memory_mb()
         if estimate.memory_mb > available:
-            self.warn(text + translate("; only {} MB of memory are free").format(f"{available:,.0f}"))
+            self.warn(
+                text + translate("; only {} MB of memory are free").format(number_text(available, ",.0f"))
+            )
         else:
             self.say(text)
 

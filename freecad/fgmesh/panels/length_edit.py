@@ -33,5 +33,6 @@ class LengthEdit(QtGui.QLineEdit):
         except Exception:  # FreeCAD's parser of quantities knows many
             quantity = None
         if quantity is None or quantity.Unit not in (FreeCAD.Units.Length, FreeCAD.Units.Unit()):
-            raise core.InvalidInput(f"{self._title}: {text!r} is no length; write for example 0.5 mm")
+            message = translate("{}: {} is no length; write for example 0.5 mm")
+            raise core.InvalidInput(message.format(self._title, repr(text)))
         return float(quantity.Value)

@@ -18,7 +18,7 @@ from freecad.fgmesh.panels.preview_box import PreviewBox
 from freecad.fgmesh.panels.reference_list import ReferenceList
 from freecad.fgmesh.view import icon
 from freecad.fgmesh.view.recording import recorded
-from freecad.fgmesh.view.texts import translate
+from freecad.fgmesh.view.texts import number_text, translate
 
 _SLACK = 1e-9
 """Rounding that is no reason for a warning about fractions outside [0, 1]."""
@@ -209,9 +209,11 @@ class MaterialPanel:
         if np.isnan(low):
             self.message.complain(translate("The formula is not defined anywhere on the solid"))
             return
-        text = translate("On the solid: {} to {}").format(f"{low + 0.0:.4g}", f"{high + 0.0:.4g}")
+        text = translate("On the solid: {} to {}").format(number_text(low, ".4g"), number_text(high, ".4g"))
         if missing > 0:
-            self.message.warn(text + translate("; not defined in {} % of it").format(f"{100 * missing:.2g}"))
+            self.message.warn(
+                text + translate("; not defined in {} % of it").format(number_text(100 * missing, ".2g"))
+            )
         elif low < -_SLACK or high > 1 + _SLACK:
             self.message.warn(text + translate("; a volume fraction must stay between 0 and 1"))
         else:

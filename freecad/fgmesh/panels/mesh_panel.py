@@ -19,7 +19,7 @@ from freecad.fgmesh.panels.message_label import MessageLabel
 from freecad.fgmesh.panels.showing import show
 from freecad.fgmesh.view import icon, mesh_look
 from freecad.fgmesh.view.recording import recorded
-from freecad.fgmesh.view.texts import translate
+from freecad.fgmesh.view.texts import number_text, translate
 
 STAGES = {
     "": TRANSLATE_LATER("FGMesh", "starting"),
@@ -37,7 +37,8 @@ def open_mesh_panel(thing):
     if not mesh_object.is_mesh(thing):
         panel = MeshPanel(thing)
     elif thing.Shape is None:
-        raise core.InvalidInput(f"{thing.Label} has lost its solid: set its Shape to a graded solid")
+        text = translate("{} has lost its solid: set its Shape to a graded solid")
+        raise core.InvalidInput(text.format(thing.Label))
     else:
         mesh_object.revive(thing)
         panel = MeshPanel(thing.Shape, thing)
@@ -171,10 +172,11 @@ class MeshPanel:
             self._stage = stage
             self._log(translate(STAGES.get(stage, stage)))
         self.bar.setValue(int(1000 * fraction))
-        self.bar.setFormat(f"{translate(STAGES.get(stage, stage))}  {tets:,}" if tets else "")
+        self.bar.setFormat(f"{translate(STAGES.get(stage, stage))}  {number_text(tets, ',')}" if tets else "")
 
     def _log(self, text):
-        self.log.appendPlainText(f"{time.monotonic() - self._started:6.1f} s  {text}")
+        passed = number_text(time.monotonic() - self._started, "6.1f")
+        self.log.appendPlainText(f"{passed} s  {text}")
 
     def _tell_failure(self, error):
         self._show_running(False)
@@ -197,7 +199,7 @@ class MeshPanel:
         self._show_running(False)
         self.bar.setValue(1000)
         self._tell_result()
-        mesh_look.colour_by_fraction(self.mesh, fraction_title(self.solid))
+        mesh_look.colour_by_fraction(self.mesh, fraction_title(self.solid, translate))
 
     def _run_lines(self, run):
         document = FreeCAD.getDocument(self._document)
@@ -226,10 +228,10 @@ class MeshPanel:
     def _tell_result(self):
         mesh = self.mesh
         text = translate("{} tetrahedra, variation up to {}, angles from {} to {} degrees").format(
-            f"{mesh.TetCount:,}",
-            f"{mesh.VariationMax:.3g}",
-            f"{mesh.DihedralMin:.1f}",
-            f"{mesh.DihedralMax:.1f}",
+            number_text(mesh.TetCount, ","),
+            number_text(mesh.VariationMax, ".3g"),
+            number_text(mesh.DihedralMin, ".1f"),
+            number_text(mesh.DihedralMax, ".1f"),
         )
         self._log(text)
         if mesh.Status == "ok":

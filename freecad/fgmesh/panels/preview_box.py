@@ -56,7 +56,7 @@ class PreviewBox(QtGui.QGroupBox):
         with quiet(self.quantity):
             self._quantities = shown_quantities([name for name in names if name], self._solid.Document)
             self.quantity.clear()
-            self.quantity.addItems([quantity.title for quantity in self._quantities])
+            self.quantity.addItems([quantity.title(translate) for quantity in self._quantities])
             self.quantity.setCurrentIndex(min(chosen, len(self._quantities) - 1))
         self._colour()
 
@@ -82,7 +82,7 @@ class PreviewBox(QtGui.QGroupBox):
 
     def _lay_out(self):
         form = QtGui.QFormLayout(self)
-        form.setContentsMargins(4, 4, 4, 4)
+        form.setContentsMargins(4, 10, 4, 4)  # less would cut the title
         form.addRow(translate("Show"), self.quantity)
         form.addRow(translate("Section"), self.section)
         form.addRow("", self.drag)
@@ -117,7 +117,7 @@ class PreviewBox(QtGui.QGroupBox):
             return
         quantity = self._quantities[max(self.quantity.currentIndex(), 0)]
         fraction = self._fraction[: len(self._preview.points)]
-        self._preview.set_values(quantity.values(fraction), quantity.title, *quantity.range)
+        self._preview.set_values(quantity.values(fraction), quantity.title(translate), *quantity.range)
 
     def _cut(self):
         """Cuts the solid as the controls say."""

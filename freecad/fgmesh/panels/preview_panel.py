@@ -9,7 +9,7 @@ from freecad.fgmesh.model.graded_parts import graded_parts, materials_of
 from freecad.fgmesh.panels.message_label import MessageLabel
 from freecad.fgmesh.panels.preview_box import PreviewBox
 from freecad.fgmesh.view import icon
-from freecad.fgmesh.view.texts import translate
+from freecad.fgmesh.view.texts import number_text, translate
 
 
 class PreviewPanel:
@@ -50,6 +50,5 @@ class PreviewPanel:
         if np.isnan(low):
             self.message.complain(translate("The formula is not defined anywhere on the solid"))
         else:
-            self.message.say(
-                translate("On the solid: {} to {}").format(f"{low + 0.0:.4g}", f"{high + 0.0:.4g}")
-            )
+            text = translate("On the solid: {} to {}")
+            self.message.say(text.format(number_text(low, ".4g"), number_text(high, ".4g")))

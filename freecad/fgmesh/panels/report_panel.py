@@ -11,15 +11,35 @@ from freecad.fgmesh.fem.fem_mesh import points_and_tets
 from freecad.fgmesh.io import stage_rows, write_report_table
 from freecad.fgmesh.model.shown_quantities import fraction_title
 from freecad.fgmesh.model.tet_figures import smallest_dihedral_angles, variations
+from freecad.fgmesh.model.texts import TRANSLATE_LATER
 from freecad.fgmesh.panels.message_label import MessageLabel
 from freecad.fgmesh.panels.section_controls import SectionControls
 from freecad.fgmesh.view import icon, mesh_look
-from freecad.fgmesh.view.texts import translate
+from freecad.fgmesh.view.texts import number_text, translate
 
 _WORST = 20  # tetrahedra that are shown
 
 FRACTION, PLAIN, SMALLEST_ANGLES, LARGEST_VARIATION = range(4)
 """What the view shows."""
+
+STAGES = {
+    "initial": TRANSLATE_LATER("FGMesh", "initial"),
+    "material": TRANSLATE_LATER("FGMesh", "material"),
+    "geometry": TRANSLATE_LATER("FGMesh", "geometry"),
+}
+FIGURES = {
+    "points": TRANSLATE_LATER("FGMesh", "points"),
+    "facets": TRANSLATE_LATER("FGMesh", "facets"),
+    "tetrahedra": TRANSLATE_LATER("FGMesh", "tetrahedra"),
+    "variation min": TRANSLATE_LATER("FGMesh", "variation min"),
+    "variation max": TRANSLATE_LATER("FGMesh", "variation max"),
+    "variation mean": TRANSLATE_LATER("FGMesh", "variation mean"),
+    "above threshold": TRANSLATE_LATER("FGMesh", "above threshold"),
+    "angle min": TRANSLATE_LATER("FGMesh", "angle min"),
+    "angle max": TRANSLATE_LATER("FGMesh", "angle max"),
+    "seconds": TRANSLATE_LATER("FGMesh", "seconds"),
+}
+"""Heads and first column of the table of stages, which io writes in English."""
 
 
 class ReportPanel:
@@ -28,7 +48,7 @@ class ReportPanel:
     def __init__(self, mesh):
         self.mesh, self.report = mesh, json.loads(mesh.Report)
         self._was_coloured = mesh_look.is_coloured(mesh)
-        self._title = fraction_title(mesh.Shape)
+        self._title = fraction_title(mesh.Shape, translate)
         self.form = [self._figures_box(), self._view_box()]
         self._show_look()
 
@@ -89,12 +109,14 @@ class ReportPanel:
         rows = stage_rows(self.report)
         table = QtGui.QTableWidget(len(rows), 1 + len(self.report["stages"]))
         table.setObjectName("FGMeshStages")
-        table.setHorizontalHeaderLabels(["", *(stage["name"] for stage in self.report["stages"])])
+        table.setHorizontalHeaderLabels(
+            ["", *(translate(STAGES[stage["name"]]) for stage in self.report["stages"])]
+        )
         table.verticalHeader().hide()
         table.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
         for row, (title, figures, form) in enumerate(rows):
-            texts = ["" if figure is None else format(figure, form) for figure in figures]
-            for column, text in enumerate([translate(title), *texts]):
+            texts = ["" if figure is None else number_text(figure, form) for figure in figures]
+            for column, text in enumerate([translate(FIGURES[title]), *texts]):
                 item = QtGui.QTableWidgetItem(text)
                 if column:
                     item.setTextAlignment(int(QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter))
@@ -123,7 +145,7 @@ class ReportPanel:
         self.figure.clear()
         plot = pictures.plot_variation if self.kind.currentIndex() == 0 else pictures.plot_dihedral
         last = {**self.report, "stages": self.report["stages"][-1:]}
-        plot(last, self.figure)
+        plot(last, self.figure, translate)
         self.canvas.draw_idle()
 
     def _view_box(self):

@@ -7,6 +7,7 @@ from pivy import coin
 from PySide import QtCore, QtGui
 
 from freecad.fgmesh import colours
+from freecad.fgmesh.view.texts import number_text, translate
 
 # Lengths are pixels of a view less than _COMMON_HEIGHT high; the picture has twice as many, for sharp letters.
 _SHARPNESS = 2
@@ -55,9 +56,9 @@ class ColourBar:
         """Draws the scale from `low` to `high` under `title`, and a legend of the marks that `values` (n,) need."""
         places = colours.fraction_of_range(values, low, high)
         marks = [
-            (colours.ABOVE, f"above {high:.4g}", (places > 1).any()),
-            (colours.BELOW, f"below {low:.4g}", (places < 0).any()),
-            (colours.UNDEFINED, "no value", np.isnan(places).any()),
+            (colours.ABOVE, translate("above {}").format(number_text(high, ".4g")), (places > 1).any()),
+            (colours.BELOW, translate("below {}").format(number_text(low, ".4g")), (places < 0).any()),
+            (colours.UNDEFINED, translate("no value"), np.isnan(places).any()),
         ]
         image, self._size = _painted(title, low, high, [mark[:2] for mark in marks if mark[2]])
         pixels = bytes(image.mirrored().constBits())
@@ -111,7 +112,7 @@ def _painted(title, low, high, marks):
     font.setPixelSize(_TEXT)
     painter.setFont(font)
     steps = np.linspace(high, low, _STEPS + 1) if high > low else [low]
-    labels = [f"{step:.4g}" for step in steps]
+    labels = [number_text(step, ".4g") for step in steps]
     metrics = QtGui.QFontMetricsF(font, image)
     title_box = metrics.boundingRect(QtCore.QRectF(0, 0, _WIDEST_TITLE, 200), QtCore.Qt.TextWordWrap, title)
     texts = [*labels, *(text for _, text in marks)]

@@ -10,12 +10,14 @@ from pivy import coin
 from freecad.fgmesh import colours
 from freecad.fgmesh.fem.fem_mesh import points_and_tets
 from freecad.fgmesh.model.tet_faces import TetFaces
+from freecad.fgmesh.model.texts import TRANSLATE_LATER
 from freecad.fgmesh.view.colour_bar import ColourBar
 from freecad.fgmesh.view.coloured_faces import ColouredFaces, set_rows, set_vectors, unpickable
 from freecad.fgmesh.view.hidden import Hidden
 from freecad.fgmesh.view.mesh_view import show
+from freecad.fgmesh.view.texts import translate
 
-TITLE = "volume fraction"
+TITLE = TRANSLATE_LATER("FGMesh", "volume fraction")
 
 
 def colour_by_fraction(mesh, title=TITLE):
@@ -99,7 +101,7 @@ class MeshLook:
         """shown (m,): which tetrahedra; None: all."""
         self._marks.removeAllChildren()
         self._show(*self.faces.seen(shown))
-        self._bar.show(title, 0.0, 1.0, self._fractions)
+        self._bar.show(translate(title), 0.0, 1.0, self._fractions)
 
     def show_worst(self, numbers):
         """numbers (w,): which tetrahedra stand out."""
