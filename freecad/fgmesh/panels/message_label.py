@@ -2,11 +2,14 @@
 """A line below a field that says how things stand."""
 from PySide import QtCore, QtGui
 
-_ERROR, _WARNING = "#e01b24", "#c07000"
+# With a background of their own, as style sheets of FreeCAD have any: no other colour is readable on all of them.
+_LOOK = "QLabel {{ color: {}; background-color: {}; border-radius: 3px; padding: 3px; }}"
+_ERROR = _LOOK.format("#9c1118", "#fde7e7")
+_WARNING = _LOOK.format("#704300", "#fff0cc")
 
 
 class MessageLabel(QtGui.QLabel):
-    """Wrapped text in the colour of its gravity. `kind` is what it shows: "", "error" or "warning"."""
+    """Wrapped text in the colours of its gravity. `kind` is what it shows: "", "error" or "warning"."""
 
     def __init__(self, parent=None):
         super().__init__(parent)
@@ -24,7 +27,7 @@ class MessageLabel(QtGui.QLabel):
     def complain(self, text):
         self._show(text, "error", _ERROR)
 
-    def _show(self, text, kind, colour):
+    def _show(self, text, kind, look):
         self.kind = kind
         self.setText(text)
-        self.setStyleSheet(f"color: {colour}" if colour else "")
+        self.setStyleSheet(look)

@@ -3,9 +3,6 @@
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-_MARGIN = 60
-"""Of FreeCAD's task view around a panel: frames, indents and the scroll bar."""
-
 
 def show(panel):
     """Shows `panel`, and makes the dock of the task view wide enough for it where it is too narrow."""
@@ -15,13 +12,28 @@ def show(panel):
 
 
 def _widen(panel):
-    forms = panel.form if isinstance(panel.form, list) else [panel.form]
+    form = panel.form[0] if isinstance(panel.form, list) else panel.form
     try:
-        needed = max(form.minimumSizeHint().width() for form in forms) + _MARGIN
-        dock = forms[0].parentWidget()
-        while dock is not None and not isinstance(dock, QtGui.QDockWidget):
-            dock = dock.parentWidget()
+        area = _around(form, QtGui.QScrollArea)
+        dock = _around(form, QtGui.QDockWidget)
+        if area is None or dock is None:
+            return
+        # Not that of the forms alone: their titles, in which labels of the user's stand, take room, too.
+        missing = area.widget().minimumSizeHint().width() - area.viewport().width()
+        bar = area.verticalScrollBar()
+        if not bar.isVisible():
+            missing += bar.sizeHint().width()
     except RuntimeError:  # the panel was closed at once
         return
-    if dock is not None and dock.width() < needed:
-        FreeCADGui.getMainWindow().resizeDocks([dock], [needed], QtCore.Qt.Horizontal)
+    window = FreeCADGui.getMainWindow()
+    if missing > 0:
+        width = min(dock.width() + missing, window.width() // 2)
+        window.resizeDocks([dock], [width], QtCore.Qt.Horizontal)
+
+
+def _around(widget, kind):
+    """The next parent of that kind; None where there is none."""
+    parent = widget.parentWidget()
+    while parent is not None and not isinstance(parent, kind):
+        parent = parent.parentWidget()
+    return parent
