@@ -84,8 +84,8 @@
       <translation>Schnitt</translation>
     </message>
     <message>
-      <source>Cuts the solid open across this axis</source>
-      <translation>Schneidet den Festkörper quer zu dieser Achse auf</translation>
+      <source>Cuts it open across this axis</source>
+      <translation>Schneidet quer zu dieser Achse auf</translation>
     </message>
     <message>
       <source>Cylinder, power law along its axis (case study II)</source>

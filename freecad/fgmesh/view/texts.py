@@ -15,4 +15,5 @@ def translate(text):
 def number_text(value, form):
     """`value` as format() writes it, with the separators of the user's language: in German 1.234 tetrahedra."""
     locale = QtCore.QLocale()
-    return format(value, form).translate({ord(","): locale.groupSeparator(), ord("."): locale.decimalPoint()})
+    # + 0 turns -0.0 into 0.0.
+    return format(value + 0, form).translate({ord(","): locale.groupSeparator(), ord("."): locale.decimalPoint()})
