@@ -27,11 +27,11 @@ def filled(points, segments, normal, limit):
     clockwise = np.cross(b - a, c - a) < 0
     triangles[clockwise] = triangles[clockwise][:, ::-1]
     triangles = with_edges(flat, triangles, segments)
-    inside = triangles[_is_inside(triangles, segments, len(flat))]
-    # Points of the grid outside the loops are nobody's: a field may have no business there.
-    used = np.union1d(np.arange(len(points)), inside)
-    new = origin + (flat[used[len(points) :]] * limit) @ across
-    return np.concatenate([points, new]), np.searchsorted(used, inside)
+    triangles = triangles[_is_inside(triangles, segments, len(flat))]
+    used = np.zeros(len(flat), bool)
+    used[: len(points)] = used[triangles] = True
+    new = origin + (flat[len(points) :] * limit) @ across
+    return np.concatenate([points, new])[used], (np.cumsum(used) - 1)[triangles]
 
 
 def _across(normal):

@@ -13,7 +13,7 @@ from freecad.fgmesh import colours
 _WIDTH, _FIRST, _LAST = 1024, 256, 767
 _FARTHEST = 1e4
 
-_GLOW, _SHADE = 0.74, 0.26
+_GLOW, _SHADE = 0.78, 0.22
 """The share of a face's colour that is always there, and that which falls with the light: faces stay readable as a
 shape, and no colour is taken for another of the scale."""
 

@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Handles in the 3D view by which a plane is shifted and turned with the mouse."""
-import weakref
-
 import FreeCAD
 from pivy import coin
 from PySide import QtCore
 
 _SIZE = 0.22  # of the part's diagonal
+_INTERVAL = 30  # milliseconds
 _COLOUR, _ACTIVE = (0.95, 0.55, 0.10), (1.0, 0.85, 0.30)
 
 
@@ -22,47 +21,48 @@ class SectionDragger:
         self._place, self._scale = coin.SoTransform(), coin.SoScale()
         self._scale.scaleFactor = (_SIZE * size,) * 3
         self._shift, self._turn = coin.SoTranslate1Dragger(), coin.SoRotateSphericalDragger()
-        for part, colour in (("translator", _COLOUR), ("translatorActive", _ACTIVE)):
-            self._shift.setPart(part, _arrow(colour))
-        self._shift.setPart("feedback", coin.SoSeparator())
-        self._shift.setPart("feedbackActive", coin.SoSeparator())
-        for part, colour in (("rotator", _COLOUR), ("rotatorActive", _ACTIVE)):
-            self._turn.setPart(part, _ball(colour))
-        self._turn.setPart("feedback", coin.SoSeparator())
-        self._turn.setPart("feedbackActive", coin.SoSeparator())
+        for dragger, part, shape in ((self._shift, "translator", _arrow), (self._turn, "rotator", _ball)):
+            dragger.setPart(part, shape(_COLOUR))
+            dragger.setPart(part + "Active", shape(_ACTIVE))
+            dragger.setPart("feedback", coin.SoSeparator())
+            dragger.setPart("feedbackActive", coin.SoSeparator())
         self.root = coin.SoSeparator()
-        for node in (self._place, self._scale, self._shift, self._turn):
+        # Each goes along with the other.
+        arrow, turned, shifted = coin.SoSeparator(), coin.SoRotation(), coin.SoTranslation()
+        turned.rotation.connectFrom(self._turn.rotation)
+        shifted.translation.connectFrom(self._shift.translation)
+        arrow.addChild(turned)
+        arrow.addChild(self._shift)
+        for node in (self._place, self._scale, arrow, shifted, self._turn):
             self.root.addChild(node)
-        me = weakref.ref(self)  # pivy never lets go of what a callback was given
-        for dragger in (self._shift, self._turn):
-            dragger.addMotionCallback(_moved, me)
-        self._waits = False
-        self._placing = False
+        # Draggers have callbacks, too, but pivy calls them without Python's lock, which ends the program.
+        self._timer = QtCore.QTimer()
+        self._timer.timeout.connect(self._look)
 
     def place(self, origin, normal):
         """Puts the handles onto a plane."""
         self._origin, self._normal = FreeCAD.Vector(origin), FreeCAD.Vector(normal)
-        self._placing = True
         self._place.translation = tuple(origin)
         self._place.rotation = FreeCAD.Rotation(FreeCAD.Vector(1, 0, 0), normal).Q
         self._shift.translation = (0, 0, 0)
         self._turn.rotation = (0, 0, 0, 1)
-        self._placing = False
+        self._start = self._known = self._state()
+        self._timer.start(_INTERVAL)
 
     def close(self):
         """The handles do nothing from now on."""
-        self._on_moved = None
+        self._timer.stop()
 
-    def moved(self):
-        # Not at once: the mouse moves more often than a part can be cut.
-        if not self._waits and not self._placing and self._on_moved is not None:
-            self._waits = True
-            QtCore.QTimer.singleShot(0, self._tell)
-
-    def _tell(self):
-        self._waits = False
-        if self._on_moved is not None:
+    def _look(self):
+        state = self._state()
+        if state != self._known:
+            self._known = state
             self._on_moved(*self._plane())
+        elif state != self._start and not (self._shift.isActive.getValue() or self._turn.isActive.getValue()):
+            self.place(*self._plane())  # the mouse has let go: the next turn is about the new place
+
+    def _state(self):
+        return self._shift.translation.getValue().getValue(), self._turn.rotation.getValue().getValue()
 
     def _plane(self):
         """Origin and normal where the handles are now."""
@@ -71,12 +71,6 @@ class SectionDragger:
         turn = FreeCAD.Rotation(*self._turn.rotation.getValue().getValue())
         normal = start.multVec(turn.multVec(FreeCAD.Vector(1, 0, 0)))
         return self._origin + start.multVec(FreeCAD.Vector(1, 0, 0)) * shift, normal
-
-
-def _moved(me, dragger):
-    handles = me()
-    if handles is not None:
-        handles.moved()
 
 
 def _arrow(colour):
