@@ -27,7 +27,13 @@ def filled(points, segments, normal, limit):
     clockwise = np.cross(b - a, c - a) < 0
     triangles[clockwise] = triangles[clockwise][:, ::-1]
     triangles = with_edges(flat, triangles, segments)
-    triangles = triangles[_is_inside(triangles, segments, len(flat))]
+    has_all = np.isin(
+        segments @ [len(flat), 1], triangles[:, [[0, 1], [1, 2], [2, 0]]] @ [len(flat), 1]
+    ).all()
+    inside = (
+        _is_left(triangles, segments, len(flat)) if has_all else _is_surrounded(flat, triangles, segments)
+    )
+    triangles = triangles[inside]
     used = np.zeros(len(flat), bool)
     used[: len(points)] = used[triangles] = True
     new = origin + (flat[len(points) :] * limit) @ across
@@ -57,9 +63,9 @@ def _grid(flat, segments):
     return grid[cKDTree(rim).query(grid, distance_upper_bound=_CLEARANCE)[0] > _CLEARANCE]
 
 
-def _is_inside(triangles, segments, size):
-    """(t,): which of the triangles lie inside: those to the left of the segments, and all that hang together with them
-    without a segment in between."""
+def _is_left(triangles, segments, size):
+    """(t,): which of the triangles lie to the left of the segments, or hang together with such without a segment in
+    between."""
     from scipy.sparse import coo_matrix
     from scipy.sparse.csgraph import connected_components
 
@@ -73,6 +79,16 @@ def _is_inside(triangles, segments, size):
     joined = (neighbours >= 0) & ~left & ~right
     links = (np.ones(joined.sum(), bool), (owners[joined], neighbours[joined]))
     _, part = connected_components(coo_matrix(links, shape=(len(triangles),) * 2), directed=False)
-    # A segment that is missing joins inside and outside: the side with more segments prevails.
-    votes = np.bincount(part[owners], weights=left.astype(float) - right)
-    return votes[part] > 0
+    return np.bincount(part[owners], weights=left)[part] > 0
+
+
+def _is_surrounded(flat, triangles, segments):
+    """(t,): which of the triangles have a centre that the loops go around, even where they cross themselves, as those of
+    two faces of a thin wall do whose triangles are too coarse for it."""
+    (ax, ay), (bx, by) = flat[segments].transpose(1, 2, 0)
+    slopes = (bx - ax) / np.where(by == ay, 1, by - ay)
+    turns = [
+        (((ay <= y) & (y < by)).astype(int) - ((by <= y) & (y < ay)))[ax + (y - ay) * slopes > x].sum()
+        for x, y in flat[triangles].mean(axis=1)
+    ]
+    return np.array(turns) > 0
