@@ -112,9 +112,9 @@ class MeshLook:
         nothing = np.empty((0, 3), int)
         self._show(nothing, nothing[:, :2])
         for node in (
+            *_faint(self.faces.points, *self.faces.seen()),
             *_strong(self.faces.points, *self.faces.seen(is_worst)),
             *_dots(self.faces.centres[numbers]),
-            *_faint(self.faces.points, *self.faces.seen()),
         ):
             self._marks.addChild(node)
 
@@ -159,13 +159,22 @@ def _like_the_mesh(root, content):
 
 
 def _strong(points, triangles, edges):
+    depth = coin.SoDepthBuffer()
+    depth.write = True
+    yield depth
     yield _drawn(points, coin.SoIndexedFaceSet(), triangles, colours.ABOVE)
     yield _drawn(points, coin.SoIndexedLineSet(), edges, (0.25, 0, 0), width=1.5)
 
 
 def _faint(points, triangles, edges):
-    yield _drawn(points, coin.SoIndexedLineSet(), edges, (0.75, 0.75, 0.8), transparency=0.75)
-    yield _drawn(points, coin.SoIndexedFaceSet(), triangles, (0.75, 0.75, 0.8), transparency=0.85)
+    # At once and without depth, so that what comes later stands in front of it in its full colour.
+    kind, depth = coin.SoTransparencyType(), coin.SoDepthBuffer()
+    kind.value = coin.SoTransparencyType.BLEND
+    depth.write = False
+    yield kind
+    yield depth
+    yield _drawn(points, coin.SoIndexedLineSet(), edges, (0.7, 0.7, 0.75), transparency=0.7)
+    yield _drawn(points, coin.SoIndexedFaceSet(), triangles, (0.7, 0.7, 0.75), transparency=0.85)
 
 
 def _dots(centres):
