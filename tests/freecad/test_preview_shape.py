@@ -100,7 +100,7 @@ def test_surface_is_closed_and_fine(model, parts, name):
     assert open_edges(surface.points, surface.solids, surface.triangles) == 0
     assert volume(surface.points, surface.triangles) == pytest.approx(thing.Shape.Volume, rel=0.01)
     assert (
-        longest_edge(surface.points, surface.triangles) <= 1.0001 * thing.Shape.BoundBox.DiagonalLength / 60
+        longest_edge(surface.points, surface.triangles) <= 1.0001 * thing.Shape.BoundBox.DiagonalLength / 50
     )
     assert len(surface.triangles) < 200_000
 

@@ -6,6 +6,7 @@ from freecad.fgmesh.model.edge_recovery import with_edges
 
 _SPACING = 0.9  # of the limit; the longest edges between points of the grid stay below it
 _CLEARANCE = 0.55  # to the rim, of the limit: a point nearer could come between the ends of a segment
+_AROUND = 2.0  # of the limit, how far outside there are points
 
 
 def filled(points, segments, normal, limit):
@@ -49,18 +50,25 @@ def _across(normal):
 
 
 def _grid(flat, segments):
-    """Points (g, 2) in regular triangles all over the box of `flat` (n, 2), except near the segments."""
+    """Points (g, 2) in regular triangles inside the loops and about them, except too near to the segments."""
     from scipy.spatial import cKDTree
 
-    # Beyond the box, too: along the border of what is triangulated rounding would decide about edges.
-    low, high = flat.min(axis=0) - 2, flat.max(axis=0) + 2
+    # Outside, too: along the border of what is triangulated rounding would decide about edges.
+    low, high = flat.min(axis=0) - _AROUND, flat.max(axis=0) + _AROUND
     x, y = np.meshgrid(
         np.arange(low[0], high[0], _SPACING), np.arange(low[1], high[1], _SPACING * np.sqrt(0.75))
     )
     x[1::2] += _SPACING / 2
+    (ax, ay), (bx, by) = flat[segments].transpose(1, 2, 0)
+    inside = np.empty(x.shape, bool)
+    for row, height in enumerate(y[:, 0]):
+        crosses = (ay <= height) != (by <= height)
+        share = (height - ay[crosses]) / (by - ay)[crosses]
+        inside[row] = np.searchsorted(np.sort(ax[crosses] + share * (bx - ax)[crosses]), x[row]) % 2
     grid = np.column_stack([x.ravel(), y.ravel()])
     rim = np.concatenate([flat, flat[segments].mean(axis=1)])
-    return grid[cKDTree(rim).query(grid, distance_upper_bound=_CLEARANCE)[0] > _CLEARANCE]
+    distance = cKDTree(rim).query(grid, distance_upper_bound=_AROUND)[0]  # infinite where it is more
+    return grid[(distance > _CLEARANCE) & (inside.ravel() | (distance <= _AROUND))]
 
 
 def _is_left(triangles, segments, size):

@@ -7,7 +7,7 @@ import numpy as np
 
 from freecad.fgmesh.model.subdivision import merged, subdivide, weld
 
-FINENESS = 60
+FINENESS = 50
 """Edges of the triangles are at most the diagonal of the shape divided by this."""
 
 MOST_TRIANGLES = 200_000

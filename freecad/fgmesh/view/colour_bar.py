@@ -2,6 +2,7 @@
 """The colour bar in the 3D view, a part of the scene, so that pictures have it, too."""
 import weakref
 
+import FreeCADGui
 import numpy as np
 from pivy import coin
 from PySide import QtCore, QtGui
@@ -28,11 +29,12 @@ class ColourBar:
     def __init__(self, document):
         """document: its name."""
         self._document = document
+        self._ratio = FreeCADGui.getMainWindow().devicePixelRatioF()  # as large as other text on the screen
         self._camera, self._switch = coin.SoOrthographicCamera(), coin.SoSwitch()
         self._camera.viewportMapping = coin.SoCamera.LEAVE_ALONE
         self._texture, self._corners = coin.SoTexture2(), coin.SoCoordinate3()
         self._texture_corners = coin.SoTextureCoordinate2()
-        self._size = (1, 1)
+        self._size, self._content = (1, 1), None
         self._callback = coin.SoCallback()
         # pivy never lets go of what a callback was given.
         self._callback.setCallback(_fit, weakref.ref(self))
@@ -60,7 +62,14 @@ class ColourBar:
             (colours.BELOW, translate("below {}").format(number_text(low, ".4g")), (places < 0).any()),
             (colours.UNDEFINED, translate("no value"), np.isnan(places).any()),
         ]
-        image, self._size = _painted(title, low, high, [mark[:2] for mark in marks if mark[2]])
+        content = title, low, high, [mark[:2] for mark in marks if mark[2]]
+        if content != self._content:
+            self._content = content
+            self._paint(*content)
+        self._take_turns(True)
+
+    def _paint(self, *content):
+        image, self._size = _painted(*content)
         pixels = bytes(image.mirrored().constBits())
         self._texture.image.setValue(coin.SbVec2s(*_CANVAS), 4, pixels)
         right, bottom = (self._size[i] * _SHARPNESS / _CANVAS[i] for i in (0, 1))
@@ -68,7 +77,6 @@ class ColourBar:
         self._texture_corners.point.setValues(0, 4, corners)
         width, height = self._size
         self._corners.point.setValues(0, 4, [(0, 0, 0), (width, 0, 0), (width, height, 0), (0, height, 0)])
-        self._take_turns(True)
 
     def close(self):
         """Nothing is drawn until show() is called again."""
@@ -84,7 +92,8 @@ class ColourBar:
 
     def fit(self, width, height):
         """Sets the camera for a viewport of so many pixels."""
-        scale = max(1.0, height / _COMMON_HEIGHT) if height >= _SMALL_HEIGHT else height / _SMALL_HEIGHT
+        common, small = _COMMON_HEIGHT, _SMALL_HEIGHT * self._ratio
+        scale = max(self._ratio, height / common) if height >= small else height / _SMALL_HEIGHT
         width, height = width / scale, height / scale
         left, bottom = -_MARGIN, -round((height - self._size[1]) / 2)
         camera = self._camera
@@ -141,8 +150,9 @@ def _painted(title, low, high, marks):
 def _paint_scale(painter, top, labels):
     bar = QtCore.QRectF(_PADDING, top, _BAR_WIDTH, _BAR_HEIGHT)
     gradient = QtGui.QLinearGradient(bar.bottomLeft(), bar.topLeft())
-    for place in np.linspace(0, 1, 65).tolist():
-        gradient.setColorAt(place, QtGui.QColor.fromRgbF(*colours.rgb([place])[0].tolist()))
+    places = np.linspace(0, 1, 65)
+    for place, colour in zip(places.tolist(), colours.rgb(places).tolist()):
+        gradient.setColorAt(place, QtGui.QColor.fromRgbF(*colour))
     if len(labels) == 1:  # one value alone: its colour alone
         gradient = QtGui.QColor.fromRgbF(*colours.rgb([0.5])[0].tolist())
     painter.fillRect(bar, gradient)
