@@ -139,12 +139,12 @@ def test_cap_of_triangles(model, parts):
     assert open_edges(surface.points, surface.solids, surface.triangles) == 0
 
 
-def test_no_solid_is_refused(model, build_dir):
+def test_no_solid_is_refused(model, core):
     import Part
 
-    with pytest.raises(ValueError, match="Face has no solid"):
+    with pytest.raises(core.InvalidInput, match="Face has no solid"):
         model.surface_of(SimpleNamespace(Shape=Part.makePlane(1, 1), Label="Face"))
-    with pytest.raises(ValueError, match="Nothing has no solid"):
+    with pytest.raises(core.InvalidInput, match="Nothing has no solid"):
         model.surface_of(SimpleNamespace(Shape=Part.Shape(), Label="Nothing"))
 
 
@@ -228,7 +228,7 @@ def test_caps_know_their_solids(model, parts):
     areas = {
         number: np.linalg.norm(area_vectors(points, caps), axis=1).sum() for number, caps in section.caps
     }
-    assert areas == {0: pytest.approx(900), 1: pytest.approx(math.pi * 25, rel=0.01)}
+    assert areas == {0: pytest.approx(900), 1: pytest.approx(math.pi * 25, rel=0.02)}
     assert all((solids[caps] == number).all() for number, caps in section.caps)
 
 

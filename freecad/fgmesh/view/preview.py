@@ -5,6 +5,7 @@ import FreeCADGui
 import numpy as np
 from pivy import coin
 
+from freecad.fgmesh import core
 from freecad.fgmesh.model import section
 from freecad.fgmesh.model.preview_shape import FINENESS, surface_of
 from freecad.fgmesh.view.colour_bar import ColourBar
@@ -25,7 +26,7 @@ class Preview:
     surface         preview_shape.surface_of(thing), where the caller has it already
 
     points (n, 3) and solids (n,), numbers from 0: where values are wanted, in the coordinates of thing.Shape. The first
-    `fixed` of them are always there and never change. Raises ValueError where there is no solid or no 3D view.
+    `fixed` of them are always there and never change. Raises core.InvalidInput where there is no solid or no 3D view.
     """
 
     def __init__(self, thing, view=None, on_new_points=None, surface=None):
@@ -47,8 +48,7 @@ class Preview:
         self._show_faces()
 
         view = view_of(thing) if view is None else view
-        self._scene = view.getSceneGraph()
-        self._scene.ref()
+        self._scene = view.getSceneGraph()  # this reference keeps it where the view is closed meanwhile
         self._scene.addChild(self._root)
         self._hidden = Hidden(thing)
 
@@ -103,7 +103,6 @@ class Preview:
         place = self._scene.findChild(self._root)
         if place >= 0:
             self._scene.removeChild(place)
-        self._scene.unref()
         self._scene = None
         self._bar.close()
         self._hidden.show()
@@ -143,7 +142,7 @@ def view_of(thing):
     if hasattr(active, "getSceneGraph"):
         return active
     if not views:
-        raise ValueError(f"{thing.Document.Label} has no 3D view")
+        raise core.InvalidInput(f"{thing.Document.Label} has no 3D view")
     return views[0]
 
 
