@@ -107,3 +107,16 @@ def drive(run_freecad, tmp_path, artifacts):
         return {**answer, "output": output}
 
     return run
+
+
+@pytest.fixture
+def in_gui(drive):
+    """A function: runs a script that defines look() in FreeCAD; `given` are the further arguments as texts, numpy is at
+    hand. Gives the dictionary `answer` that the script has filled."""
+
+    def run(script, **given):
+        texts = {name: str(value) for name, value in given.items()}
+        head = f"import numpy as np\nfrom PySide import QtCore\ngiven, answer = {texts!r}, {{}}\n"
+        return drive(f"{head}{script}\nlook()\nreturn answer")
+
+    return run

@@ -8,6 +8,7 @@ import os
 import time
 import traceback
 
+import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
@@ -146,22 +147,40 @@ def picture(path):
     FreeCADGui.getMainWindow().screen().grabWindow(0).save(str(path))
 
 
-def click_view(view, point):
-    """Clicks in the 3D view on what is seen at `point`, in global coordinates."""
-    (area,) = [one for one in _all_widgets() if type(one) is QtGui.QGraphicsView and one.isVisible()]
-    viewport = area.viewport()
-    x, y = view.getPointOnScreen(point)
-    place = QtCore.QPoint(x, view.getSize()[1] - y - 1)
+def on_screen(view, point):
+    """Where a point of the document is seen: in a picture of the whole screen, and in the view's own widget."""
+    area = view.graphicsView().viewport()
+    ratio = area.devicePixelRatioF()
+    x, y = view.getPointOnScreen(FreeCAD.Vector(*point))
+    inside = QtCore.QPointF(x / ratio, (view.getSize()[1] - 1 - y) / ratio)
+    corner = area.mapToGlobal(QtCore.QPoint(0, 0))
+    return [(corner.x() + inside.x()) * ratio, (corner.y() + inside.y()) * ratio], inside
+
+
+def mouse(view, kind, place, button, buttons):
+    """One event of the mouse in the 3D view."""
+    area = view.graphicsView().viewport()
+    spot = QtCore.QPointF(area.mapToGlobal(place.toPoint()))
+    event = QtGui.QMouseEvent(kind, place, spot, button, buttons, QtCore.Qt.NoModifier)
+    QtGui.QApplication.sendEvent(area, event)
+    settle(0.05)
+
+
+def drag(view, start, end, steps=8):
+    """Drags with the left button from one place of the view's widget to another, in some steps."""
     left, none = QtCore.Qt.LeftButton, QtCore.Qt.NoButton
-    for kind, button, buttons in (
-        (QtCore.QEvent.MouseMove, none, none),
-        (QtCore.QEvent.MouseButtonPress, left, left),
-        (QtCore.QEvent.MouseButtonRelease, left, none),
-    ):
-        where = QtCore.QPointF(viewport.mapToGlobal(place))
-        event = QtGui.QMouseEvent(kind, QtCore.QPointF(place), where, button, buttons, QtCore.Qt.NoModifier)
-        QtGui.QApplication.sendEvent(viewport, event)
-        settle(0.1)
+    mouse(view, QtCore.QEvent.MouseMove, start, none, none)
+    mouse(view, QtCore.QEvent.MouseButtonPress, start, left, left)
+    for step in range(1, steps + 1):
+        mouse(view, QtCore.QEvent.MouseMove, start + (end - start) * step / steps, none, left)
+    mouse(view, QtCore.QEvent.MouseButtonRelease, end, left, none)
+    settle(0.1)
+
+
+def click_view(view, point):
+    """Clicks in the 3D view on what is seen at a point of the document."""
+    place = on_screen(view, point)[1]
+    drag(view, place, place, steps=0)
 
 
 def in_dialog(opens, fills):

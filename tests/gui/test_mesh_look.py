@@ -8,7 +8,6 @@ from freecad.fgmesh.view import mesh_look
 
 
 def look():
-    FreeCADGui.getMainWindow().showMaximized()
     document = FreeCAD.openDocument(given["document"])
     mesh = document.FGMesh
     document.Box.Visibility = False
@@ -17,30 +16,30 @@ def look():
     view.fitAll()
     settle(0.5)
     document.saveAs(given["copy"])
-    grab_window(given["plain"])
+    picture(given["plain"])
     state = lambda: [document.UndoCount, FreeCADGui.activeDocument().Modified, mesh.Status, list(mesh.State)]
     before = state()
     modes = mesh.ViewObject.RootNode.getNumChildren()
 
     mesh_look.colour_by_fraction(mesh)
-    grab_window(given["coloured"])
+    picture(given["coloured"])
     answer["places"] = [[z / 10, on_screen(view, (4.8, 0, z))[0]] for z in (0.6, 2.3, 5.1, 7.7, 9.4)]
     mesh_look.cut(mesh, (FreeCAD.Vector(0, 0, 5), FreeCAD.Vector(0, 0, 1)))
-    grab_window(given["cut"])
+    picture(given["cut"])
     answer["cut"] = {"left": on_screen(view, (5, 0, 2))[0], "gone": on_screen(view, (5, 0, 9.7))[0]}
     mesh_look.cut(mesh, None)
-    grab_window(given["whole"])
+    picture(given["whole"])
     mesh_look.show_worst(mesh, [0, 7])
-    grab_window(given["worst"])
+    picture(given["worst"])
     centres = mesh.ViewObject.Proxy.look.faces.centres[[0, 7]]
     answer["dots"] = [on_screen(view, centre)[0] for centre in centres]
     answer["state"] = [before, state()]
     mesh.ViewObject.Visibility = False
-    grab_window(given["hidden"])
+    picture(given["hidden"])
     mesh.ViewObject.Visibility = True
     mesh_look.show_plain(mesh)
     mesh_look.show_plain(mesh)
-    grab_window(given["again"])
+    picture(given["again"])
     answer["nodes"] = [modes, mesh.ViewObject.RootNode.getNumChildren()]
     mesh_look.colour_by_fraction(mesh)
     mesh.MaterialThreshold = 0.15

@@ -8,7 +8,6 @@ from freecad.fgmesh.view.preview import Preview
 
 
 def look():
-    FreeCADGui.getMainWindow().showMaximized()
     FreeCADGui.activateWorkbench("PartWorkbench")
     document = FreeCAD.newDocument("Colours")
     part = document.addObject("App::Part", "Part")
@@ -23,13 +22,13 @@ def look():
     view.fitAll()
     settle(0.5)
     document.saveAs(given["document"])
-    grab_window(given["before"])
+    picture(given["before"])
     state = [document.UndoCount, FreeCADGui.activeDocument().Modified, list(box.State), box.ViewObject.Visibility]
 
     preview = Preview(box)
     preview.set_values(values_of(preview.points), "volume fraction of Steel-Generic")
     settle(0.3)
-    grab_window(given["outside"])
+    picture(given["outside"])
     width, height = view.getSize()
     view.saveImage(given["saved"], width, height, "White")
     # x of the solid's own coordinates leads along y of the document's, and the upper side is at z = 22.
@@ -41,7 +40,7 @@ def look():
         answer["places"][str(x)] = [value, on_screen(view, point)[0], view.getPointOnScreen(point)]
     preview.set_values(2 * values_of(preview.points) - 0.5, "twice", -0.5, 0.5)
     view.viewIsometric()
-    grab_window(given["marked"])
+    picture(given["marked"])
     answer["state"] = [
         state,
         [document.UndoCount, FreeCADGui.activeDocument().Modified, list(box.State), box.ViewObject.Visibility],
@@ -50,7 +49,7 @@ def look():
     preview.close()
     preview.close()
     settle(0.3)
-    grab_window(given["after"])
+    picture(given["after"])
 
 
 def values_of(points):
@@ -64,7 +63,6 @@ from freecad.fgmesh.view.preview import Preview
 
 
 def look():
-    FreeCADGui.getMainWindow().showMaximized()
     document = FreeCAD.newDocument("Section")
     outer, inner = document.addObject("Part::Box", "Outer"), document.addObject("Part::Sphere", "Inner")
     outer.Length = outer.Width = outer.Height = 30
@@ -90,7 +88,7 @@ def look():
     answer["fixed"] = preview.fixed
     preview.section = (FreeCAD.Vector(15, 15, 15), FreeCAD.Vector(0, -1, 0))
     settle(0.3)
-    grab_window(given["cut"])
+    picture(given["cut"])
     places = {"inner low": (15, 15, 9), "inner high": (15, 15, 21), "outer low": (4, 15, 4), "outer high": (4, 15, 26)}
     answer["places"] = {name: on_screen(view, place)[0] for name, place in places.items()}
     answer["calls"] = list(calls)
@@ -98,7 +96,7 @@ def look():
     preview.drag_section()
     view.viewIsometric()
     view.fitAll()
-    grab_window(given["handles"])
+    picture(given["handles"])
     origin, normal = preview.section
     size = 0.22 * 30 * 3**0.5
     start, end = (on_screen(view, origin + normal * along)[1] for along in (0.6 * size, 0.6 * size + 6))
@@ -109,7 +107,7 @@ def look():
     drag(view, start, start + QtCore.QPointF(60, -60))
     answer["turned"] = [list(vector) for vector in preview.section]
     answer["calls_dragging"] = len(calls) - len(answer["calls"])
-    grab_window(given["turned"])
+    picture(given["turned"])
     preview.drag_section(False)
     preview.section = None
     answer["points"] = [len(preview.points), len(preview.solids)]
@@ -183,7 +181,7 @@ def look():
     preview.set_values(preview.points[:, 0] / 10, "x")
     settle(0.3)
     place, area = on_screen(view, (5, 5, 10))
-    grab_window(given["picture"])
+    picture(given["picture"])
     answer["middle"] = place
     left, none = QtCore.Qt.LeftButton, QtCore.Qt.NoButton
     mouse(view, QtCore.QEvent.MouseMove, area, none, none)
