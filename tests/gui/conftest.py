@@ -93,7 +93,7 @@ def drive(run_freecad, tmp_path, artifacts):
             "import sys\n"
             f"sys.path.insert(0, {str(Path(__file__).parent)!r})\n"
             "import FreeCAD, FreeCADGui\n"
-            "import driver\nfrom driver import *\n"
+            "import driver\nfrom driver import *\nfrom windows import *\n"
             f"pictures = {str(artifacts)!r}\n\n"
             f"def steps():\n{lines}\n"
             f"driver.main(steps, {str(answer_file)!r}, {workbench!r})\n"

@@ -13,8 +13,7 @@ class FormulaEdit(QtGui.QPlainTextEdit):
         self.setFont(QtGui.QFontDatabase.systemFont(QtGui.QFontDatabase.FixedFont))
         self.setTabChangesFocus(True)
         self.setWordWrapMode(QtGui.QTextOption.WrapAnywhere)
-        frame = 2 * self.frameWidth() + 2 * int(self.document().documentMargin())
-        self.setFixedHeight(self.LINES * self.fontMetrics().lineSpacing() + frame + 2)
+        self._fit()
 
     def formula(self):
         return " ".join(self.toPlainText().split("\n")).strip()
@@ -42,6 +41,10 @@ class FormulaEdit(QtGui.QPlainTextEdit):
         """The text that is underlined; "" where nothing is."""
         return "".join(selection.cursor.selectedText() for selection in self.extraSelections())
 
+    def showEvent(self, event):
+        super().showEvent(event)
+        self._fit()  # style sheets have set fonts and margins by now
+
     def keyPressEvent(self, event):
         if event.key() in (QtCore.Qt.Key_Return, QtCore.Qt.Key_Enter):
             event.ignore()  # the panel's OK
@@ -50,6 +53,11 @@ class FormulaEdit(QtGui.QPlainTextEdit):
 
     def insertFromMimeData(self, source):
         self.insertPlainText(" ".join(source.text().split()))
+
+    def _fit(self):
+        around = self.height() - self.viewport().height() if self.isVisible() else 2 * self.frameWidth()
+        margin = 2 * int(self.document().documentMargin())
+        self.setFixedHeight(self.LINES * self.fontMetrics().lineSpacing() + around + margin + 2)
 
     def _word_at(self, position):
         """Start and length, in characters of the text shown, of what stands at an offset of the formula."""

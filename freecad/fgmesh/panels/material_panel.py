@@ -16,6 +16,7 @@ from freecad.fgmesh.panels.message_label import MessageLabel
 from freecad.fgmesh.panels.parameter_table import ParameterTable
 from freecad.fgmesh.panels.preview_box import PreviewBox
 from freecad.fgmesh.panels.reference_list import ReferenceList
+from freecad.fgmesh.panels.wide_combo import WideCombo
 from freecad.fgmesh.view import icon
 from freecad.fgmesh.view.recording import recorded
 from freecad.fgmesh.view.texts import number_text, translate
@@ -80,6 +81,7 @@ class MaterialPanel:
     def _show(self, draft):
         for combo, name in zip(self.constituents, draft.constituents or ["", ""]):
             combo.setEditText(name)
+            combo.lineEdit().setCursorPosition(0)  # of a name too long its beginning is seen
         self.formula.set_formula(draft.fractions[0])
         self.parameters.set_parameters(draft.parameters)
         self.frame.set_frame(draft.frame)
@@ -87,17 +89,12 @@ class MaterialPanel:
 
     def _make_widgets(self):
         names = constituents.available(self._first.Document)
-        self.constituents = [QtGui.QComboBox(), QtGui.QComboBox()]
-        for number, combo in enumerate(self.constituents, 1):
-            combo.setObjectName(f"FGMeshConstituent{number}")
+        self.constituents = [WideCombo("FGMeshConstituent1"), WideCombo("FGMeshConstituent2")]
+        for combo in self.constituents:
             combo.setEditable(True)
             combo.addItem("")
             combo.addItems(names)
-            # Some names are longer than the dock is wide.
-            combo.setSizePolicy(QtGui.QSizePolicy.Ignored, QtGui.QSizePolicy.Fixed)
-        self.grading = QtGui.QComboBox()
-        self.grading.setObjectName("FGMeshGrading")
-        self.grading.setSizePolicy(QtGui.QSizePolicy.Ignored, QtGui.QSizePolicy.Fixed)
+        self.grading = WideCombo("FGMeshGrading")
         self.grading.addItem(translate("Ready gradings ..."))
         for number, grading in enumerate(gradings.GRADINGS, 1):
             self.grading.addItem(translate(grading.name))

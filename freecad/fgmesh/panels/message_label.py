@@ -5,6 +5,7 @@ from PySide import QtCore, QtGui
 # With a background of their own, as style sheets of FreeCAD have any: no other colour is readable on all of them.
 _LOOK = "QLabel {{ color: {}; background-color: {}; border-radius: 3px; padding: 3px; }}"
 _ERROR = _LOOK.format("#9c1118", "#fde7e7")
+_PLAIN = "QLabel { background-color: transparent; }"
 _WARNING = _LOOK.format("#704300", "#fff0cc")
 
 
@@ -19,7 +20,7 @@ class MessageLabel(QtGui.QLabel):
         self.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
 
     def say(self, text):
-        self._show(text, "", "")
+        self._show(text, "", _PLAIN)
 
     def warn(self, text):
         self._show(text, "warning", _WARNING)
@@ -29,5 +30,16 @@ class MessageLabel(QtGui.QLabel):
 
     def _show(self, text, kind, look):
         self.kind = kind
+        if look != self.styleSheet():
+            self.setStyleSheet(look)
         self.setText(text)
-        self.setStyleSheet(look)
+        if self.isVisible():
+            self._fit()
+
+    def resizeEvent(self, event):
+        super().resizeEvent(event)
+        self._fit()
+
+    def _fit(self):
+        """As high as the text needs: FreeCAD's task view does not always ask again when that changes."""
+        self.setMinimumHeight(max(self.heightForWidth(self.width()), 0))

@@ -26,7 +26,6 @@ class ParameterTable(QtGui.QWidget):
         header.setSectionResizeMode(_TEXT, QtGui.QHeaderView.Stretch)
         rows = self.table.verticalHeader()
         rows.hide()
-        rows.setDefaultSectionSize(self.fontMetrics().height() + 8)
         rows.setSectionResizeMode(QtGui.QHeaderView.Fixed)
         self.table.setSelectionBehavior(QtGui.QAbstractItemView.SelectRows)
         self.table.setToolTip(
@@ -89,6 +88,10 @@ class ParameterTable(QtGui.QWidget):
                 item.setText(shown)
                 item.setToolTip(tip)
 
+    def showEvent(self, event):
+        super().showEvent(event)
+        self._fit()  # style sheets have set fonts and margins by now
+
     def _outcome(self, row):
         name, text = self._text(row, _NAME), self._text(row, _TEXT)
         try:
@@ -126,5 +129,7 @@ class ParameterTable(QtGui.QWidget):
         """As high as its rows, up to six; away where it has none."""
         rows = min(self.table.rowCount(), 6)
         self.table.setVisible(rows > 0)
-        height = self.table.verticalHeader().defaultSectionSize()
-        self.table.setFixedHeight(self.table.horizontalHeader().sizeHint().height() + rows * height + 6)
+        height = self.table.fontMetrics().height() + 8
+        self.table.verticalHeader().setDefaultSectionSize(height)
+        around = self.table.horizontalHeader().sizeHint().height() + 2 * self.table.frameWidth()
+        self.table.setFixedHeight(around + rows * height + 2)

@@ -9,6 +9,7 @@ from freecad.fgmesh.model.shown_quantities import shown_quantities
 from freecad.fgmesh.panels.live_field import LiveField
 from freecad.fgmesh.panels.quiet import quiet
 from freecad.fgmesh.panels.section_controls import SectionControls
+from freecad.fgmesh.panels.wide_combo import WideCombo
 from freecad.fgmesh.view import icon
 from freecad.fgmesh.view.preview import Preview
 from freecad.fgmesh.view.texts import translate
@@ -37,10 +38,7 @@ class PreviewBox(QtGui.QGroupBox):
         self.setChecked(False)
         self.toggled.connect(self._toggle)
         self._quantities = []
-        self.quantity = QtGui.QComboBox()
-        self.quantity.setObjectName("FGMeshQuantity")
-        # Its texts are longer than the dock is wide.
-        self.quantity.setSizePolicy(QtGui.QSizePolicy.Ignored, QtGui.QSizePolicy.Fixed)
+        self.quantity = WideCombo("FGMeshQuantity")
         self.quantity.currentIndexChanged.connect(lambda: self._colour())
         self.section = SectionControls(solid, solid.Shape.BoundBox, "Section")
         self.section.changed.connect(self._cut)

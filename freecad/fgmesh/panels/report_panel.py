@@ -14,6 +14,7 @@ from freecad.fgmesh.model.tet_figures import smallest_dihedral_angles, variation
 from freecad.fgmesh.model.texts import TRANSLATE_LATER
 from freecad.fgmesh.panels.message_label import MessageLabel
 from freecad.fgmesh.panels.section_controls import SectionControls
+from freecad.fgmesh.panels.whole_table import WholeTable
 from freecad.fgmesh.view import icon, mesh_look
 from freecad.fgmesh.view.texts import number_text, translate
 
@@ -80,6 +81,7 @@ class ReportPanel:
         box.setWindowIcon(QtGui.QIcon(icon("report")))
         layout = QtGui.QVBoxLayout(box)
         self.message = MessageLabel()
+        self.message.setObjectName("FGMeshStatus")
         (self.message.say if self.mesh.Status == "ok" else self.message.warn)(self.mesh.Status)
         layout.addWidget(self.message)
         layout.addWidget(self._table())
@@ -107,7 +109,7 @@ class ReportPanel:
 
     def _table(self):
         rows = stage_rows(self.report)
-        table = QtGui.QTableWidget(len(rows), 1 + len(self.report["stages"]))
+        table = WholeTable(len(rows), 1 + len(self.report["stages"]))
         table.setObjectName("FGMeshStages")
         table.setHorizontalHeaderLabels(
             ["", *(translate(STAGES[stage["name"]]) for stage in self.report["stages"])]
@@ -121,13 +123,8 @@ class ReportPanel:
                 if column:
                     item.setTextAlignment(int(QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter))
                 table.setItem(row, column, item)
-        table.resizeColumnsToContents()
-        table.resizeRowsToContents()
-        height = table.horizontalHeader().sizeHint().height() + 6
-        table.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
-        table.setVerticalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
-        table.setMinimumWidth(sum(table.columnWidth(column) for column in range(table.columnCount())) + 4)
-        table.setFixedHeight(height + sum(table.rowHeight(row) for row in range(len(rows))))
+        for header in (table.horizontalHeader(), table.verticalHeader()):
+            header.setSectionResizeMode(QtGui.QHeaderView.ResizeToContents)
         return table
 
     def _canvas(self):

@@ -18,16 +18,15 @@ def _widen(panel):
         dock = _around(form, QtGui.QDockWidget)
         if area is None or dock is None:
             return
-        # Not that of the forms alone: their titles, in which labels of the user's stand, take room, too.
-        missing = area.widget().minimumSizeHint().width() - area.viewport().width()
         bar = area.verticalScrollBar()
-        if not bar.isVisible():
-            missing += bar.sizeHint().width()
+        around = dock.width() - area.viewport().width() + (0 if bar.isVisible() else bar.sizeHint().width())
+        # Not those of the forms alone: their titles, in which labels of the user's stand, take room, too.
+        least, best = area.widget().minimumSizeHint().width(), area.widget().sizeHint().width()
     except RuntimeError:  # the panel was closed at once
         return
     window = FreeCADGui.getMainWindow()
-    if missing > 0:
-        width = min(dock.width() + missing, window.width() // 2)
+    width = max(min(least + around, window.width() // 2), min(best + around, window.width() // 3))
+    if dock.width() < width:
         window.resizeDocks([dock], [width], QtCore.Qt.Horizontal)
 
 

@@ -16,4 +16,6 @@ def number_text(value, form):
     """`value` as format() writes it, with the separators of the user's language: in German 1.234 tetrahedra."""
     locale = QtCore.QLocale()
     # + 0 turns -0.0 into 0.0.
-    return format(value + 0, form).translate({ord(","): locale.groupSeparator(), ord("."): locale.decimalPoint()})
+    return format(value + 0, form).translate(
+        {ord(","): locale.groupSeparator(), ord("."): locale.decimalPoint()}
+    )
