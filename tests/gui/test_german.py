@@ -66,10 +66,7 @@ picture(f"{pictures}/german-report.png")
 panel_button("Close")
 
 def fill(dialog):
-    settle(0.3)
-    (pages,) = [one for one in dialog.findChildren(QtGui.QListWidget) if one.count() > 3]
-    pages.setCurrentItem(next(pages.item(row) for row in range(pages.count()) if pages.item(row).text() == "FGMesh"))
-    settle(0.3)
+    show_preference_page(dialog, "FGMesh")
     seen["preferences"] = texts()
     picture(f"{pictures}/german-preferences.png")
     dialog.reject()
