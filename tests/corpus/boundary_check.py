@@ -22,7 +22,7 @@ def main(shape_file, points_file):
     shape.read(shape_file)
     asked, parts = np.load(points_file), (shape.Vertexes, shape.Edges, shape.Faces)
     distances = [
-        parts[dimension][number - 1].distToShape(Part.Vertex(FreeCAD.Vector(*point)))[0]
+        distance(FreeCAD.Vector(*point), parts[dimension][number - 1])
         for point, (dimension, number) in zip(asked["points"].tolist(), asked["carriers"].tolist())
     ]
     answer = {
@@ -34,12 +34,39 @@ def main(shape_file, points_file):
     print(json.dumps(answer), flush=True)
 
 
+def distance(point, part):
+    """Of a point to a vertex, edge or face. OpenCASCADE takes a good part of some faces, as of a half torus fused with its
+    mirror image, to lie outside of them; their triangles tell."""
+    found = part.distToShape(Part.Vertex(point))[0]
+    if part.ShapeType != "Face" or found <= part.Tolerance:
+        return found
+    from_surface = part.Surface.projectPoint(point, "LowerDistance")
+    fineness = part.BoundBox.DiagonalLength / 1000
+    points, triangles = part.tessellate(fineness)
+    corners = np.array([tuple(corner) for corner in points])[np.array(triangles)]
+    return from_surface if distance_to_triangles(np.array(point), corners) <= 2 * fineness else found
+
+
+def distance_to_triangles(point, corners):
+    """Of a point to the nearest of some triangles (n, 3, 3)."""
+    sides = np.roll(corners, -1, axis=1) - corners
+    ways = point - corners
+    lengths = (sides**2).sum(axis=2)
+    along = np.clip((ways * sides).sum(axis=2) / np.where(lengths > 0, lengths, 1), 0, 1)
+    to_sides = np.linalg.norm(ways - along[..., None] * sides, axis=2).min(axis=1)
+    normals = np.cross(sides[:, 0], sides[:, 1])
+    inside = ((np.cross(sides, ways) * normals[:, None]).sum(axis=2) >= 0).all(axis=1)
+    areas = np.linalg.norm(normals, axis=1)
+    heights = np.abs((ways[:, 0] * normals).sum(axis=1)) / np.where(areas > 0, areas, 1)
+    return np.where(inside & (areas > 0), heights, to_sides).min()
+
+
 def euler(solid):
     """V - E + F, where a face with holes counts as many less; poles are no edges. Euler's and Poincare's formula.
     Vertices that stand alone in a solid are not counted."""
     edges = sum(not edge.Degenerated for edge in solid.Edges)
     holes = sum(len(face.Wires) - 1 for face in solid.Faces)
-    vertices = {vertex.hashCode() for edge in solid.Edges for vertex in edge.Vertexes}
+    vertices = Part.Compound(solid.Edges).Vertexes  # by their hash codes some would be one, by chance
     return len(vertices) - edges + len(solid.Faces) - holes
 
 

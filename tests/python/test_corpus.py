@@ -3,6 +3,7 @@
 import json
 import shutil
 import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -109,6 +110,31 @@ def test_limits_that_are_missed_are_told(part_figures):
     assert list(part_figures.misses({**kept, "off": 1e-3})) == ["points off"]
     del kept["off"]
     assert list(part_figures.misses(kept)) == ["FreeCAD fails"]
+
+
+@pytest.mark.parametrize("off, wrong_half", [(0, False), (0.01, False), (0, True)])
+def test_distances_to_faces_are_true(off, wrong_half, source_dir, tmp_path):
+    """Where FreeCAD's own are not: of half a torus fused with its mirror image it misses a part."""
+    import FreeCAD
+    import Part
+
+    half = Part.makeTorus(10, 3, FreeCAD.Vector(), FreeCAD.Vector(0, 0, 1), -180, 180, 180)
+    torus = half.fuse(half.mirror(FreeCAD.Vector(), FreeCAD.Vector(0, 1, 0)))
+    torus.exportBrep(str(tmp_path / "torus.brep"))
+    side = 1 if torus.Faces[0].CenterOfMass.y > 0 else -1
+    u, v = (angles.ravel() for angles in np.meshgrid(np.linspace(0.2, 2.9, 7), np.linspace(-3, 3, 8)))
+    height, radius = (3 + off) * np.sin(v), 10 + (3 + off) * np.cos(v)
+    y = radius * np.sin(u) * (-side if wrong_half else side)
+    points = np.column_stack([radius * np.cos(u), y, height])
+    np.savez(tmp_path / "points.npz", points=points, carriers=np.tile([2, 1], (len(points), 1)))
+    check = source_dir / "tests" / "corpus" / "boundary_check.py"
+    command = [sys.executable, "-P", check, tmp_path / "torus.brep", tmp_path / "points.npz"]
+    answer = json.loads(subprocess.run(command, capture_output=True, text=True, check=True).stdout)
+    assert answer["euler"] == [0] and answer["volume"] == pytest.approx([180 * np.pi**2])
+    if wrong_half:
+        assert answer["distance"] > 1
+    else:
+        assert answer["distance"] == pytest.approx(off, abs=1e-9)
 
 
 def test_parts_are_graded_along_their_longest_axis(kept):
