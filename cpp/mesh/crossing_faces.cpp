@@ -19,6 +19,8 @@ namespace {
 /// both, faces may meet: neighbours do, and sloppy ones cross there within their tolerance.
 constexpr double kTouching = 1e-7, kBorder = 1e-3;
 
+constexpr double kTangent = 0.05;  // sine between normals
+
 class CrossingSearch {
  public:
   CrossingSearch(const SampledBoundary& samples, const BoundaryGeometry& boundary, RunControl& control)
@@ -28,6 +30,7 @@ class CrossingSearch {
   }
 
   void run() {
+    for (const SampledBoundary::Curve& curve : samples_.curves) look_along(curve);
     std::vector<int> all(samples_.triangles.size());
     for (std::size_t t = 0; t < all.size(); ++t) all[t] = static_cast<int>(t);
     for_each_crossing(
@@ -36,6 +39,46 @@ class CrossingSearch {
   }
 
  private:
+  /// A part of a face at an edge, as one solid has it.
+  struct Side {
+    int face;
+    Vec3 away, outward;  ///< from the edge along the face, and out of the solid
+  };
+
+  /// A solid that has more than two faces at an edge touches itself there. Where two of these lie upon each
+  /// other, it or the gap between them has no thickness.
+  void look_along(const SampledBoundary::Curve& curve) {
+    if (curve.faces.size() < 3) return;
+    for (const auto& [solid, sides] : sides_at(curve))
+      for (std::size_t i = 0; i < sides.size() && sides.size() > 2; ++i)
+        for (std::size_t k = i + 1; k < sides.size(); ++k)
+          if (sides[i].away.dot(sides[k].away) > 0.0 && sides[i].outward.dot(sides[k].outward) < 0.0 &&
+              sides[i].outward.cross(sides[k].outward).norm() < kTangent)
+            refuse_tangent(sides[i].face, sides[k].face, curve.edge);
+  }
+
+  /// Of each solid at the middle of an edge.
+  std::map<int, std::vector<Side>> sides_at(const SampledBoundary::Curve& curve) const {
+    const std::size_t half = curve.points.size() / 2;
+    const int from = curve.points[half - 1], to = curve.points[half];
+    const CurvePoint place =
+        boundary_.project_to_edge(curve.edge, 0.5 * (samples_.points[from] + samples_.points[to]));
+    std::map<int, std::vector<Side>> sides;
+    for (std::size_t t = 0; t < samples_.triangles.size(); ++t) {
+      const std::array<int, 3>& v = samples_.triangles[t];
+      if (std::count(v.begin(), v.end(), from) + std::count(v.begin(), v.end(), to) < 2) continue;
+      const int face = samples_.triangle_face[t];
+      const Vec3 normal = boundary_.project_to_face(face, place.position).normal;
+      Vec3 away = centre(static_cast<int>(t)) - place.position;
+      away -= away.dot(place.tangent) * place.tangent;
+      away -= away.dot(normal) * normal;
+      const auto& [behind, before] = samples_.triangle_solids[t];
+      if (behind) sides[behind].push_back({face, away, normal});
+      if (before) sides[before].push_back({face, away, -normal});
+    }
+    return sides;
+  }
+
   void look_at(int t, int u) {
     control_.check();
     const int face = std::min(samples_.triangle_face[t], samples_.triangle_face[u]);
@@ -65,10 +108,9 @@ class CrossingSearch {
   /// Solids may touch at a point, as a ball does on a plane: their meshes stay just apart there. Within one
   /// solid that would be a wall without thickness.
   bool are_tangent(int face, int other, const Vec3& point) const {
-    constexpr double kParallel = 0.05;
     const Vec3 a = boundary_.project_to_face(face, point).normal,
                b = boundary_.project_to_face(other, point).normal;
-    return a.cross(b).norm() < kParallel;
+    return a.cross(b).norm() < kTangent;
   }
 
   const Vec3& corner(int t, int i) const { return samples_.points[samples_.triangles[t][i % 3]]; }
@@ -154,6 +196,13 @@ class CrossingSearch {
     else
       text << " and Face" << other << " cross or touch each other near " << Shown{point}
            << " mm; move them apart, or unite the parts with Part -> Boolean";
+    throw GeometryError(text.str());
+  }
+
+  [[noreturn]] void refuse_tangent(int face, int other, int edge) const {
+    std::ostringstream text;
+    text << "Face" << face << " and Face" << other << " touch each other along Edge" << edge
+         << " like tangents, so that the wall or gap between them has no thickness there; move one of them";
     throw GeometryError(text.str());
   }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/edge_split.hpp"
 
+#include <algorithm>
+
 #include "mesh/cavity.hpp"
 
 namespace fgmesh {
@@ -8,6 +10,16 @@ namespace {
 
 /// Squared lengths that differ by less are alike.
 constexpr double kClearlyLonger = 1.0 + 1e-6;
+
+/// All tetrahedra at an edge. Where solids touch along it they are more than those of its ring.
+std::vector<int> tets_at(const TetComplex& complex, int a, int b, const EdgeRing& ring) {
+  if (!complex.is_pinched(a) || !complex.is_pinched(b)) return ring.tet;
+  std::vector<int> around;
+  complex.star(a, around);
+  around.erase(std::remove_if(around.begin(), around.end(), [&](int t) { return !complex.tet(t).has(b); }),
+               around.end());
+  return around;
+}
 
 }  // namespace
 
@@ -17,11 +29,13 @@ int split_edge(MeshState& state, int a, int b, int t) {
   complex.ring(a, b, t, ring);
   const std::optional<Vertex> placed = state.on_edge(a, b, state.label_at(a, b, ring));
   if (!placed) return -1;
-  Cavity cavity(state, a, b, ring.tet);
+  const std::vector<int> around = tets_at(complex, a, b, ring);
+  Cavity cavity(state, a, b, around);
   if (!cavity.open(*placed)) return -1;
 
   const int middle = state.add(*placed);
   complex.replace(cavity.tets(), cavity.filling(middle), cavity.facets(middle));
+  if (around.size() > ring.tet.size()) complex.pinch(middle);
   if (const int edge = complex.crease(a, b)) {
     complex.clear_crease(a, b);
     complex.set_crease(a, middle, edge);

@@ -72,10 +72,36 @@ void TetComplex::build(const std::vector<NewTet>& tets, const std::vector<Labell
       tet.neighbour[owners[i]->face] = owners.size() == 2 ? owners[1 - i]->tet : -1;
     }
   }
+  find_pinched();
+}
+
+void TetComplex::find_pinched() {
+  pinched_.clear();
+  std::vector<std::size_t> uses(vertex_slots(), 0);
+  for (const Tet& tet : tets_)
+    for (int v : tet.vertex) ++uses[v];
+  std::vector<int> around;
+  for (int v = 0; v < vertex_slots(); ++v) {
+    star(v, around);
+    if (around.size() < uses[v]) pinched_[v];
+  }
+  for (int t = 0; t < slots() && !pinched_.empty(); ++t)
+    for (int v : tets_[t].vertex)
+      if (is_pinched(v)) pinched_[v].push_back(t);
+}
+
+void TetComplex::pinch(int v) {
+  std::vector<int>& all = pinched_[v];
+  for (int t : created_)
+    if (tets_[t].has(v)) all.push_back(t);
 }
 
 void TetComplex::star(int v, std::vector<int>& star) const {
   star.clear();
+  if (const auto pinched = pinched_.find(v); pinched != pinched_.end()) {
+    star = pinched->second;
+    return;
+  }
   const int first = tet_of_[v];
   if (first < 0) return;
   const int stamp = fresh_stamp();
@@ -196,7 +222,11 @@ void TetComplex::replace(const std::vector<int>& cavity, const std::vector<NewTe
     if (face.tet >= 0) tets_[face.tet].label[face.face] = face.label;
 
   for (int t : cavity) {
-    for (int v : tets_[t].vertex) tet_of_[v] = -1;
+    for (int v : tets_[t].vertex) {
+      tet_of_[v] = -1;
+      if (const auto pinched = pinched_.find(v); pinched != pinched_.end())
+        pinched->second.erase(std::find(pinched->second.begin(), pinched->second.end(), t));
+    }
     tets_[t].solid = 0;
     free_.push_back(t);
   }
@@ -208,7 +238,10 @@ void TetComplex::replace(const std::vector<int>& cavity, const std::vector<NewTe
     const int t = new_slot();
     created_.push_back(t);
     tets_[t] = Tet{made.vertex, {-1, -1, -1, -1}, {}, made.solid};
-    for (int v : made.vertex) tet_of_[v] = t;
+    for (int v : made.vertex) {
+      tet_of_[v] = t;
+      if (const auto pinched = pinched_.find(v); pinched != pinched_.end()) pinched->second.push_back(t);
+    }
     for (int i = 0; i < 4; ++i) {
       HoleFace& face = hole_[hole_entry(face_of(made.vertex, i))];
       tets_[t].label[i] = face.label;

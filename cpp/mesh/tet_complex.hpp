@@ -67,7 +67,13 @@ class TetComplex {
   /// All tetrahedra at vertex v, in `star` (its old content is dropped).
   void star(int v, std::vector<int>& star) const;
 
-  /// The ring of edge (a, b), which tetrahedron t has.
+  /// True where the tetrahedra at v fall into parts that have no face in common: solids touch themselves or
+  /// each other there.
+  bool is_pinched(int v) const { return pinched_.count(v) > 0; }
+  /// Says so of a vertex that the last replace() has made.
+  void pinch(int v);
+
+  /// The ring of edge (a, b), which tetrahedron t has. Where solids touch along the edge, one part of it.
   void ring(int a, int b, int t, EdgeRing& ring) const;
 
   /// Some tetrahedron that has the edge (a, b); -1 where the mesh has no such edge.
@@ -122,10 +128,12 @@ class TetComplex {
     return (static_cast<std::uint64_t>(a) << 32) | static_cast<std::uint32_t>(b);
   }
   int new_slot();
+  void find_pinched();
   int hole_entry(std::array<int, 3> vertices);
 
   std::vector<Tet> tets_;
   std::vector<int> tet_of_;
+  std::unordered_map<int, std::vector<int>> pinched_;  // all tetrahedra of each
   std::vector<int> free_;
   std::unordered_map<std::uint64_t, int> creases_;
   int alive_ = 0;

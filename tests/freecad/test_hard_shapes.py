@@ -262,3 +262,54 @@ def test_thin_walls_are_no_features_to_bridge(thickness, core):
     result = core.generate_mesh(shape.exportBrepToString(), core.Material(["0.5"]))
     assert result.volume == pytest.approx(shape.Volume, rel=1e-9)
     assert set(result.triangle_faces) == set(range(1, 7))
+
+
+def plate_with_holes(*corners):
+    """Of 20 x 20 x 5 mm, with square holes of 5 mm at these corners."""
+    holes = [Part.makeBox(5, 5, 5, Vector(x, y, 0)) for x, y in corners]
+    return Part.makeBox(20, 20, 5).cut(holes)
+
+
+def boxes(*corners):
+    """Cubes of 10 mm at these corners."""
+    return Part.Compound([Part.makeBox(10, 10, 10, Vector(*corner)) for corner in corners])
+
+
+@pytest.mark.parametrize(
+    "make, volume",
+    [
+        (lambda: plate_with_holes((5, 5), (10, 10)), 2000 - 250),
+        (lambda: plate_with_holes((5, 5), (10, 10), (0, 10)), 2000 - 375),
+        (lambda: boxes((0, 0, 0), (10, 10, 0)), 2000),
+        (lambda: boxes((0, 0, 0), (10, 10, 10)), 2000),
+        (lambda: boxes((0, 0, 0), (10, 4, 10)), 2000),
+    ],
+    ids=[
+        "holes at an edge",
+        "holes at two edges",
+        "boxes at an edge",
+        "boxes at a corner",
+        "boxes at part of an edge",
+    ],
+)
+def test_solids_may_touch_themselves_and_others_at_edges_and_corners(make, volume, core):
+    shape = make()
+    options = core.MeshingOptions(material_threshold=0.2, max_size=4)
+    result = core.generate_mesh(shape.exportBrepToString(), core.Material([ramp(shape)]), options)
+    assert result.status == "ok", result.messages
+    assert result.volume == pytest.approx(volume, rel=1e-9)
+    assert len(np.unique(result.points, axis=0)) == len(result.points)
+    assert result.dihedral_min.min() >= 5
+
+
+def test_a_wall_that_thins_to_nothing_is_refused(core):
+    """A hole that touches a side of its box, and one that passes through it."""
+    box = Part.makeBox(10, 10, 10)
+    touching = box.cut(Part.makeCylinder(3, 10, Vector(3, 5, 0)))
+    with pytest.raises(
+        core.GeometryError, match=r"Face\d and Face\d touch each other along Edge\d+ like tangents"
+    ):
+        meshed(touching, core)
+    through = box.cut(Part.makeCylinder(3, 10, Vector(2.5, 5, 0)))
+    result = core.generate_mesh(through.exportBrepToString(), core.Material(["0.5"]))
+    assert result.status == "ok" and result.dihedral_min.min() >= 5

@@ -105,6 +105,29 @@ TEST(TetComplex, LabelsInterfacesFromBothSides) {
   EXPECT_EQ(complex.tet(1).label[3], 9);
 }
 
+TEST(TetComplex, KnowsAllTetrahedraWhereTheyTouchWithoutACommonFace) {
+  // Two that have an edge in common, and one that has a vertex of it.
+  TetComplex complex = built({{{0, 1, 2, 3}, 1}, {{0, 1, 4, 5}, 1}, {{1, 6, 7, 8}, 1}}, 9);
+  const auto star = [&](int v) {
+    std::vector<int> found;
+    complex.star(v, found);
+    return std::set<int>(found.begin(), found.end());
+  };
+  EXPECT_EQ(star(0), (std::set<int>{0, 1}));
+  EXPECT_EQ(star(1), (std::set<int>{0, 1, 2}));
+  EXPECT_TRUE(complex.is_pinched(0) && complex.is_pinched(1));
+  EXPECT_FALSE(complex.is_pinched(2) || complex.is_pinched(6));
+  // A vertex on the common edge.
+  const int middle = complex.add_vertex();
+  complex.replace(
+      {0, 1},
+      {{{0, middle, 2, 3}, 1}, {{middle, 1, 2, 3}, 1}, {{0, middle, 4, 5}, 1}, {{middle, 1, 4, 5}, 1}}, {});
+  complex.pinch(middle);
+  EXPECT_EQ(star(0).size(), 2u);
+  EXPECT_EQ(star(1).size(), 3u);
+  EXPECT_EQ(star(middle).size(), 4u);
+}
+
 TEST(TetComplex, RefusesAFaceOfThreeTetrahedra) {
   std::vector<NewTet> tets = kTwo;
   tets.push_back({{0, 1, 2, 5}, 1});
