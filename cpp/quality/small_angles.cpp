@@ -18,6 +18,12 @@ constexpr double kDegrees = 180.0 / 3.14159265358979323846;
 /// Cosine between the normals of two sides of a wall at most: 30 degrees from parallel.
 constexpr double kOpposite = -0.87;
 
+/// Not for rounding alone, where a shape meets at just kAngleGoal.
+bool is_small(double angle) {
+  constexpr double kRounding = 1e-6;
+  return angle < (1.0 - kRounding) * kAngleGoal;
+}
+
 double angle_between(const Vec3& a, const Vec3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b)) * kDegrees;
 }
@@ -160,7 +166,7 @@ class SharpFeatures {
   }
 
   void note(double angle, const std::string& who, const Vec3& place, std::initializer_list<std::int32_t> at) {
-    if (!(angle < kAngleGoal)) return;
+    if (!is_small(angle)) return;
     for (const std::int32_t point : at) sharp_[point] = 1;
     if (!(angle < least_)) return;
     least_ = angle;
@@ -265,7 +271,6 @@ class ThinWalls {
 SmallAngles find_small_angles(const TetMesh& mesh, const std::vector<double>& dihedral_min,
                               const BoundaryGeometry& boundary, double min_size, const PartName& name) {
   SmallAngles result;
-  const auto is_small = [](double angle) { return angle < kAngleGoal; };
   if (std::none_of(dihedral_min.begin(), dihedral_min.end(), is_small)) return result;
   const SharpFeatures sharp(mesh, boundary, name);
   ThinWalls walls(mesh, boundary, min_size);

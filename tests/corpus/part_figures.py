@@ -12,8 +12,8 @@ import numpy as np
 
 from freecad.fgmesh import core, worker
 
-VOLUME, SECONDS, OFF = 0.5, 120, 1e-6
-"""Limits: per cent; s; distance of boundary points, as part of the diagonal."""
+VOLUME, ANGLE, SECONDS, OFF = 0.5, 5 * (1 - 1e-6), 120, 1e-6
+"""Limits: per cent; degrees, less what rounding does; s; distance of boundary points, as part of the diagonal."""
 
 ASKED_POINTS = 300
 """How many boundary points FreeCAD is asked about; it takes up to some hundredths of a second for each."""
@@ -94,7 +94,7 @@ def misses(row):
         yield "volume"
     if row["deviation"] > 1:
         yield "deviation"
-    if row["unforced_min"] < 5:
+    if row["unforced_min"] < ANGLE:
         yield "angle"
     if row["seconds"] > SECONDS:
         yield "time"

@@ -86,6 +86,16 @@ def test_blunt_shapes_force_none(shape):
     assert_counts_are_true(result)
 
 
+def test_an_edge_of_just_five_degrees_forces_none():
+    shape = prism(5)
+    for turn in range(3):  # rounding errors of many kinds
+        result = meshed(shape, stop_after="initial")
+        assert result.dihedral_min.min() == pytest.approx(5, rel=1e-9)
+        assert len(result.forced_angles) == len(result.small_angles) == 0
+        assert not [message for message in result.messages if "dihedral" in message]
+        shape.rotate(vector(1, 2, 3), vector(3, 1 + turn, 2), 40)
+
+
 SHARP = {
     "prism": (lambda: prism(3), 3, lambda x: x * math.tan(math.radians(3))),
     "cusp": (cusp, 0, lambda x: 20 - np.sqrt(400 - x**2)),
