@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "mesh/surface_sizes.hpp"
 #include "mesh/triangle_crossings.hpp"
 
 namespace fgmesh {
@@ -16,57 +17,6 @@ double length(const SurfaceMesh& mesh, int a, int b) { return (mesh.position(a) 
 
 double size_at(const SurfaceMesh& mesh, int a, int b) {
   return 0.5 * (mesh.vertices[a].size + mesh.vertices[b].size);
-}
-
-/// Calls visit(a, b, face) for the three edges of each triangle.
-template <class Visit>
-void for_each_side(const SurfaceMesh& mesh, const Visit& visit) {
-  for (const SurfaceTriangle& triangle : mesh.triangles)
-    for (int i = 0; i < 3 && triangle.alive(); ++i)
-      visit(triangle.vertex[i], triangle.vertex[(i + 1) % 3], triangle.face);
-}
-
-void limit_growth(SurfaceMesh& mesh, double growth, RunControl& control) {
-  for (bool changed = true; changed;) {
-    control.check();
-    changed = false;
-    for_each_side(mesh, [&](int a, int b, int) {
-      Vertex &small = mesh.vertices[mesh.vertices[a].size < mesh.vertices[b].size ? a : b],
-             &large = mesh.vertices[mesh.vertices[a].size < mesh.vertices[b].size ? b : a];
-      const double limit = small.size + growth * length(mesh, a, b);
-      if (large.size > limit * (1.0 + 1e-3)) {
-        large.size = limit;
-        changed = true;
-      }
-    });
-  }
-}
-
-/// The size that the curvature along an edge allows whose middle is `error` off: by the deviation, and by how
-/// far normals turn. Not below the least size: at a kink of a face, or where an edge and a face differ by
-/// their tolerance, it would be nothing.
-double curvature_size(double length, double error, const SurfaceRemeshingOptions& options) {
-  constexpr double kLargestTurn = 1.0;  // of the normal along an edge, radians
-  if (!(error > 1e-9 * length)) return options.size;
-  const double radius = length * length / (8.0 * error);
-  return std::clamp(std::min(std::sqrt(8.0 * radius * options.deviation), kLargestTurn * radius),
-                    options.min_size, options.size);
-}
-
-double error_of(const SurfaceMesh& mesh, int a, int b, int face) {
-  const int edge = mesh.crease(a, b);
-  return edge ? crease_error(mesh.state(), mesh.vertices[a], mesh.vertices[b], edge)
-              : chord_error(mesh.state(), mesh.vertices[a], mesh.vertices[b], face);
-}
-
-void set_sizes(SurfaceMesh& mesh, const SurfaceRemeshingOptions& options, RunControl& control) {
-  for (Vertex& vertex : mesh.vertices) vertex.size = options.size;
-  for_each_side(mesh, [&](int a, int b, int face) {
-    const double size = length(mesh, a, b);
-    const double wanted = std::max(size, curvature_size(size, error_of(mesh, a, b, face), options));
-    for (int v : {a, b}) mesh.vertices[v].size = std::min(mesh.vertices[v].size, wanted);
-  });
-  limit_growth(mesh, options.growth, control);
 }
 
 /// Between two small features the size grows and falls again: an edge may be longer than its ends alone want,
@@ -187,73 +137,6 @@ void remesh(SurfaceMesh& mesh, const SurfaceRemeshingOptions& options, RunContro
     if (collapsed + split <= kDone * alive) break;
   }
   make_surface_delaunay(mesh, control);
-}
-
-/// How thick the solids behind and before the middle of a triangle are, the thinner one; infinite where the
-/// middle is beside the face, which a coarse triangle may be.
-double thickness_at(const SurfaceMesh& mesh, const SurfaceTriangle& triangle, const Vec3& outward,
-                    const WallThickness& walls) {
-  const Vec3 &a = mesh.position(triangle.vertex[0]), &b = mesh.position(triangle.vertex[1]),
-             &c = mesh.position(triangle.vertex[2]);
-  const Vec3 middle = (a + b + c) / 3.0;
-  const Vec3 start = mesh.state().boundary().project_to_face(triangle.face, middle).position;
-  double thinnest = std::numeric_limits<double>::infinity();
-  if ((start - middle).cross(outward).norm() > 0.5 * (start - middle).norm()) return thinnest;
-  for (int side = 0; side < 2; ++side)
-    if (triangle.solid[side])
-      thinnest = std::min(
-          thinnest, walls.at(start, side ? outward : Vec3(-outward), triangle.solid[side], triangle.face));
-  return thinnest > 0.0 ? thinnest : std::numeric_limits<double>::infinity();
-}
-
-/// How far the middle of the edge (a, b) of a triangle will move across the triangle when it is brought onto
-/// its face or crease.
-double error_across(const SurfaceMesh& mesh, int a, int b, int face, const Vec3& outward) {
-  const int edge = mesh.crease(a, b);
-  if (!edge) return chord_error(mesh.state(), mesh.vertices[a], mesh.vertices[b], face);
-  const Vec3 middle = 0.5 * (mesh.position(a) + mesh.position(b));
-  return std::abs(outward.dot(mesh.state().boundary().project_to_edge(edge, middle).position - middle));
-}
-
-/// Lowers sizes where a wall is thin for the triangles on it: where these stray from a bent wall by a good
-/// part of its thickness, tetrahedra could not be brought onto the true faces later; where they are much
-/// longer than the wall is thick, tetrahedra are flat. Returns whether it lowered any.
-bool refine_walls(SurfaceMesh& mesh, const WallThickness& walls, const SurfaceRemeshingOptions& options,
-                  RunControl& control) {
-  constexpr double kLargestError = 0.25, kAim = 0.15, kLongest = 4.5;  // of the thickness
-  constexpr double kLargestStep = 0.4;  // of sizes, so that a wrong thickness does no great harm
-  bool lowered = false;
-  const auto lower = [&](int v, double size) {
-    if (mesh.vertices[v].size <= std::max(size, options.min_size)) return;
-    lowered = true;
-    mesh.vertices[v].size = std::max({size, kLargestStep * mesh.vertices[v].size, options.min_size});
-  };
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (t % kPoll == 0) control.check();
-    const SurfaceTriangle& triangle = mesh.triangles[t];
-    if (!triangle.alive()) continue;
-    const std::array<int, 3>& v = triangle.vertex;
-    const Vec3 area = area_vector(mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2]));
-    const double twice_area = area.norm();
-    if (!(twice_area > 0.0)) continue;
-    const Vec3 outward = area / twice_area;
-    const double thickness = thickness_at(mesh, triangle, outward, walls);
-    for (int i = 0; i < 3; ++i) {
-      const int a = v[i], b = v[(i + 1) % 3];
-      double wanted = options.size;
-      if (thickness >= options.min_size) wanted = std::min(wanted, kLongest * thickness);
-      const auto allow = [&](double error, double room) {
-        if (error > kLargestError * room)
-          wanted = std::min(wanted, length(mesh, a, b) * std::sqrt(kAim * room / error));
-      };
-      allow(error_across(mesh, a, b, triangle.face, outward), thickness);
-      if (mesh.crease(a, b)) allow(error_of(mesh, a, b, triangle.face), twice_area / length(mesh, a, b));
-      lower(a, wanted);
-      lower(b, wanted);
-    }
-  }
-  limit_growth(mesh, options.growth, control);
-  return lowered;
 }
 
 /// The edge of a triangle that strays most from its face or crease; {-1, -1} where none does.

@@ -119,6 +119,13 @@ def small_fillet():
     return box.makeFillet(0.1, [box.Edges[0]])
 
 
+def narrow_strip():
+    """Two fillets leave a strip between them that is a two-thousandth as wide as long."""
+    box = Part.makeBox(10, 40, 10)
+    along = [edge for edge in box.Edges if edge.BoundBox.YLength > 39 and edge.BoundBox.ZMin > 9]
+    return box.makeFillet(4.99, along)
+
+
 def small_hole():
     return Part.makeBox(40, 40, 10).cut(Part.makeCylinder(0.05, 10, Vector(20, 20)))
 
@@ -165,6 +172,7 @@ VOLUMES = {
     crossing_bores: None,
     loft: None,
     small_fillet: 6000 - (1 - math.pi / 4) * 0.1**2 * 10,
+    narrow_strip: 4000 - (2 - math.pi / 2) * 4.99**2 * 40,
     small_hole: 16000 - math.pi * 0.05**2 * 10,
     thread: None,
 }
@@ -262,6 +270,15 @@ def test_thin_walls_are_no_features_to_bridge(thickness, core):
     result = core.generate_mesh(shape.exportBrepToString(), core.Material(["0.5"]))
     assert result.volume == pytest.approx(shape.Volume, rel=1e-9)
     assert set(result.triangle_faces) == set(range(1, 7))
+
+
+def test_a_wall_is_fine_where_it_is_thinnest(core):
+    """Between a ball and a side of its box it is a thousandth of the box, at one place only."""
+    shape = Part.makeBox(10, 10, 10).cut(Part.makeSphere(3, Vector(5, 5, 3.01)))
+    options = core.MeshingOptions(stop_after="initial")
+    result = core.generate_mesh(shape.exportBrepToString(), core.Material(["0.5"]), options)
+    assert result.dihedral_min.min() >= 5
+    assert len(result.tets) < 5000
 
 
 def plate_with_holes(*corners):
