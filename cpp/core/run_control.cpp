@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/run_control.hpp"
 
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -25,9 +24,14 @@ double resident_memory_mb() {
 }  // namespace
 
 double peak_memory_mb() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) * 1024.0 / 1e6;
+  std::FILE* file = std::fopen("/proc/self/status", "r");
+  if (!file) return 0.0;
+  long kilobytes = 0;
+  char line[256];
+  while (std::fgets(line, sizeof line, file))
+    if (std::sscanf(line, "VmHWM: %ld kB", &kilobytes) == 1) break;
+  std::fclose(file);
+  return static_cast<double>(kilobytes) * 1024.0 / 1e6;
 }
 
 void RunControl::set_limits(double seconds, double memory_mb) {

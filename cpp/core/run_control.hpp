@@ -62,7 +62,8 @@ class RunControl {
   std::string reason_ = "the run was cancelled";
 };
 
-/// Largest resident memory of this process so far, MB (ru_maxrss).
+/// Largest resident memory of this process so far, MB; 0 where the system does not tell. Not that of
+/// getrusage(), which a child process inherits from the one that started it.
 double peak_memory_mb();
 
 }  // namespace fgmesh

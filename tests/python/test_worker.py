@@ -117,6 +117,13 @@ def test_values_survive_the_way(tmp_path):
     assert plain(unpack(packed, (tmp_path / "arrays").read_bytes())) == plain(values)
 
 
+def test_peak_memory_is_that_of_the_child(box, material):
+    """Not that of the process that starts it, which in FreeCAD has several times as much."""
+    large = np.ones(50_000_000)
+    result = worker.generate_mesh(box, material, core.MeshingOptions(material_threshold=0.5))
+    assert 10 < result.peak_memory_mb < 0.5 * large.nbytes / 1e6
+
+
 @pytest.mark.parametrize("part", ["face.brep", "text.step", "cut.brep", "noise.brep"])
 def test_refusals_are_those_of_this_process(shapes, material, part):
     with pytest.raises(core.Error) as here:
