@@ -11,6 +11,7 @@
 #include "core/error.hpp"
 #include "core/run_control.hpp"
 #include "material/material.hpp"
+#include "pipeline/estimate.hpp"
 #include "pipeline/generate_mesh.hpp"
 
 namespace py = pybind11;
@@ -225,13 +226,33 @@ void bind_result(py::module_& module) {
       });
 }
 
-/// `options` is a copy: the Python object may change while the run goes on without the GIL.
-MeshingResult generate(const std::string& shape, const std::vector<const Material*>& materials,
-                       MeshingOptions options, RunControl* control) {
+using MeshFunction = MeshingResult(const std::string&, const std::vector<const ScalarField*>&,
+                                   const MeshingOptions&, RunControl&);
+
+/// A function of the pipeline as Python calls it. `options` is a copy: the Python object may change while the
+/// run goes on without the GIL.
+template <auto function>
+auto call(const std::string& shape, const std::vector<const Material*>& materials, MeshingOptions options,
+          RunControl* control) {
   for (const Material* material : materials)
     if (!material) throw InvalidInput("None is no material: give a Material for each solid");
   RunControl unwatched;
-  return generate_mesh(shape, {materials.begin(), materials.end()}, options, control ? *control : unwatched);
+  return function(shape, {materials.begin(), materials.end()}, options, control ? *control : unwatched);
+}
+
+void bind_estimate(py::module_& module) {
+  py::class_<MeshEstimate>(module, "MeshEstimate", "What is to be expected of a mesh.")
+      .def_readonly("tets", &MeshEstimate::tets, "Number of tetrahedra.")
+      .def_readonly("memory_mb", &MeshEstimate::memory_mb,
+                    "Largest resident memory of a process that does nothing but mesh, MB.")
+      .def("__repr__", [](const MeshEstimate& estimate) {
+        return py::str("<MeshEstimate: {:.0f} tetrahedra, {:.0f} MB>")
+            .format(estimate.tets, estimate.memory_mb);
+      });
+  module.def("estimate", &call<&estimate_mesh>, py::arg("shape"), py::arg("materials"),
+             py::arg("options") = MeshingOptions(), py::arg("control") = py::none(),
+             py::call_guard<py::gil_scoped_release>(),
+             "What generate_mesh would give for these arguments, as a MeshEstimate.");
 }
 
 }  // namespace
@@ -240,8 +261,9 @@ void bind_pipeline(py::module_& module) {
   bind_options(module);
   bind_report(module);
   bind_result(module);
-  module.def("generate_mesh", &generate, py::arg("shape"), py::arg("materials"),
-             py::arg("options") = MeshingOptions(), py::arg("control") = py::none(),
+  bind_estimate(module);
+  module.def("generate_mesh", &call<static_cast<MeshFunction*>(&generate_mesh)>, py::arg("shape"),
+             py::arg("materials"), py::arg("options") = MeshingOptions(), py::arg("control") = py::none(),
              py::call_guard<py::gil_scoped_release>(),
              "Mesh the solids in the content (bytes) of a BREP or STEP file. materials: a list, one for all "
              "solids or one for each. Other Python threads run "

@@ -6,14 +6,12 @@
 #include <sstream>
 
 #include "brep/brep_model.hpp"
-#include "brep/told_as_separated.hpp"
 #include "core/error.hpp"
-#include "mesh/crossing_faces.hpp"
 #include "mesh/geometry_refinement.hpp"
-#include "mesh/initial.hpp"
 #include "mesh/material_refinement.hpp"
 #include "mesh/second_order.hpp"
 #include "pipeline/given_numbers.hpp"
+#include "pipeline/meshing_start.hpp"
 #include "pipeline/node_fractions.hpp"
 #include "pipeline/unmet_criteria.hpp"
 #include "pipeline/volumes.hpp"
@@ -24,25 +22,6 @@
 
 namespace fgmesh {
 namespace {
-
-// Defaults as parts of the diagonal; MeshingOptions tells them to users.
-constexpr double kSurfaceDeviation = 1.0 / 2000.0, kLeastDeviation = 1.0 / 20000.0;
-constexpr double kMinSize = 1.0 / 2000.0;
-constexpr double kMaxSize = 1.0 / 8.0;
-
-/// How far facets of the initial mesh may be from the true boundary, as part of their size.
-constexpr double kInitialDeviation = 1.0 / 20.0;
-
-/// The options with every default put in for a part of this diagonal, mm.
-MeshingOptions resolved(MeshingOptions options, double diagonal) {
-  const auto default_to = [&](double& length, double part) {
-    if (length == 0.0) length = part * diagonal;
-  };
-  default_to(options.surface_deviation, kSurfaceDeviation);
-  default_to(options.max_size, kMaxSize);
-  if (options.min_size == 0.0) options.min_size = std::min(kMinSize * diagonal, options.max_size);
-  return options;
-}
 
 /// The fractions at the corners of the tetrahedra, and what follows from them.
 void put_fractions(const NodeFractions& fractions, double threshold, MeshingResult& result) {
@@ -183,14 +162,11 @@ void finish(MeshingResult& result, const BrepModel& model, const SampledBoundary
 /// given, where they are although MinSize is in the way of so small a deviation.
 double refine_to_volume(MeshState& state, GeometryRefinementOptions refinement, const BrepModel& model,
                         RunControl& control) {
-  constexpr double kAim = 0.8, kSmallestStep = 0.8;
   const double given = refinement.deviation;
-  const double least = kLeastDeviation * state.diagonal();
-  while (refinement.deviation > least) {
+  while (refinement.deviation > least_deviation(state.diagonal())) {
     const double error = largest_volume_error(state.to_tet_mesh(), model);
     if (error <= kVolumeGoal) break;
-    refinement.deviation =
-        std::max(least, refinement.deviation * std::min(kSmallestStep, kAim * kVolumeGoal / error));
+    refinement.deviation = lowered_deviation(refinement.deviation, error, state.diagonal());
     refine_geometry(state, refinement, control);
   }
   if (largest_volume_error(state.to_tet_mesh(), model) > kVolumeGoal) return refinement.deviation;
@@ -201,43 +177,20 @@ double refine_to_volume(MeshState& state, GeometryRefinementOptions refinement, 
   return refinement.deviation;
 }
 
-/// The material of each solid that is meshed.
-SolidMaterials materials_of(const std::vector<const ScalarField*>& given, const BrepModel& model,
-                            const SampledBoundary& samples) {
-  if (given.size() == 1) return SolidMaterials(*given.front());
-  if (static_cast<int>(given.size()) != model.given_solid_count())
-    throw InvalidInput("there are " + std::to_string(given.size()) + " materials for " +
-                       std::to_string(model.given_solid_count()) +
-                       " solids: give one for all, or one for each solid");
-  std::vector<const ScalarField*> fields;
-  for (int solid = 1; solid <= model.solid_count(); ++solid)
-    fields.push_back(given[model.given_solid(solid) - 1]);
-  return SolidMaterials(fields, samples);
-}
-
 }  // namespace
 
 MeshingResult generate_mesh(const std::string& shape, const std::vector<const ScalarField*>& given,
                             const MeshingOptions& asked, RunControl& control) {
-  asked.validate();
-  control.begin_stage("reading");
-  BrepModel model = BrepModel::from_text(shape, control);
-  const SampledBoundary samples = model.sample({}, control);
-  brep::told_as_separated(!model.origins().solids.empty(),
-                          [&] { require_no_crossing_faces(samples, model, control); });
-  const double diagonal = samples.bounds.diagonal();
-  MeshingOptions options = resolved(asked, diagonal);
+  MeshingStart start(shape, given, asked, control);
+  BrepModel& model = start.model;
+  MeshState& state = start.state;
+  MeshingOptions options = start.options;
 
   MeshingResult result;
   result.messages = model.notes();
-  MeshState state(model, materials_of(given, model, samples), options.material_threshold, diagonal);
-  state.chord_limit = kInitialDeviation * options.max_size;
   std::vector<Carrier> bridged;
-  NodeFractions fractions = run_stage("initial", state, result, control, [&] {
-    const double narrowest = 0.9 * std::min(options.min_size, options.surface_deviation);
-    bridged = make_initial_mesh(state, samples,
-                                {options.max_size, state.chord_limit, options.min_size, narrowest}, control);
-  });
+  NodeFractions fractions = run_stage("initial", state, result, control,
+                                      [&] { bridged = make_initial_mesh(start, options.max_size, control); });
   if (options.stop_after != "initial") {
     fractions = run_stage("material", state, result, control, [&] {
       MaterialRefinementOptions refinement;
@@ -257,7 +210,7 @@ MeshingResult generate_mesh(const std::string& shape, const std::vector<const Sc
   }
   if (options.order == 2) raise_order(state, fractions, result, control);
   if (state.materials().count() > 1) put_tet_fractions(fractions, result);
-  finish(result, model, samples, bridged, state.materials(), options);
+  finish(result, model, start.samples, bridged, state.materials(), options);
   put_volumes(model, result);
   use_given_numbers(result, model.origins());
   return result;

@@ -42,6 +42,11 @@ void tell_volume_errors(MeshingResult& result) {
 
 }  // namespace
 
+double lowered_deviation(double deviation, double error, double diagonal) {
+  constexpr double kAim = 0.8, kSmallestStep = 0.8;
+  return std::max(least_deviation(diagonal), deviation * std::min(kSmallestStep, kAim * kVolumeGoal / error));
+}
+
 double largest_volume_error(const TetMesh& mesh, const BrepModel& model) {
   const std::vector<double> volumes = solid_volumes(mesh, tet_volumes(mesh), model);
   double largest = 0.0;

@@ -11,6 +11,12 @@ namespace fgmesh {
 /// The default surface deviation is made so small that no solid's volume is farther off than this part of it.
 inline constexpr double kVolumeGoal = 5e-3;
 
+/// It is not made smaller than this for a part of so large a diagonal, mm.
+inline double least_deviation(double diagonal) { return diagonal / 20000.0; }
+
+/// What it becomes where it leaves so large an error of volume, mm.
+double lowered_deviation(double deviation, double error, double diagonal);
+
 /// Largest error of the volume of a solid in the mesh, as part of its volume.
 double largest_volume_error(const TetMesh& mesh, const BrepModel& model);
 

@@ -56,6 +56,7 @@ __all__ = [
     "RunControl",
     "caret_excerpt",
     "distances",
+    "estimate",
     "frame_rotation",
     "generate_mesh",
     "read_references",
@@ -134,6 +135,21 @@ def generate_mesh(brep, material, options=None, control=None):
     shape = read_shape(brep)
     materials = _with_references(list_of(material), control)
     return MeshingResult(_core.generate_mesh(shape, materials, options, control), threshold)
+
+
+def estimate(brep, material, options=None, control=None):
+    """What `generate_mesh` would give for the same arguments, in about a second: an object with
+
+    tets: the expected number of tetrahedra; mostly within 30 % of the true one.
+    memory_mb: the largest memory (MB) that a process is to need which does nothing but this, as that of `worker`.
+
+    The shape is read and its initial mesh is made, which is most of the time that it takes. Raises what
+    `generate_mesh` raises of shape, material and options.
+    """
+    options = MeshingOptions() if options is None else options
+    control = RunControl() if control is None else control
+    shape = read_shape(brep)
+    return _core.estimate(shape, _with_references(list_of(material), control), options, control)
 
 
 def list_of(material):

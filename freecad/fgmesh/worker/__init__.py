@@ -3,14 +3,32 @@
 
     from freecad.fgmesh import core, worker
     result = worker.generate_mesh("part.step", material, options)
+    expected = worker.estimate("part.step", material, options)
     table = worker.distances(core.references("part.step", ["Face1"], read=False), points)
 
-`generate_mesh` and `distances` are those of `core` but for three things: a crash is an error (`Crashed`),
+`generate_mesh`, `estimate` and `distances` are those of `core` but for three things: a crash is an error (`Crashed`),
 cancelling and limits end even a run that listens to nothing, and without a memory limit there is one nevertheless,
 of nine tenths of what is available at the start. They take a tenth of a second longer, to start the process.
-`start` and `start_distances` do not wait, and give a `Run` to be asked now and then.
+`start`, `start_estimate` and `start_distances` do not wait, and give a `Run` to be asked now and then.
 """
 from freecad.fgmesh.worker.run import Crashed, Run, available_memory_mb
-from freecad.fgmesh.worker.functions import distances, generate_mesh, start, start_distances
+from freecad.fgmesh.worker.functions import (
+    distances,
+    estimate,
+    generate_mesh,
+    start,
+    start_distances,
+    start_estimate,
+)
 
-__all__ = ["Crashed", "Run", "available_memory_mb", "distances", "generate_mesh", "start", "start_distances"]
+__all__ = [
+    "Crashed",
+    "Run",
+    "available_memory_mb",
+    "distances",
+    "estimate",
+    "generate_mesh",
+    "start",
+    "start_distances",
+    "start_estimate",
+]

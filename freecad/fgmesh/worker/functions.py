@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Functions of `core` in a child process: each by a function that starts it, and by one that waits, too."""
 from freecad.fgmesh.worker.run import Run
-from freecad.fgmesh.worker.tasks import Measuring, Meshing
+from freecad.fgmesh.worker.tasks import Estimating, Measuring, Meshing
 
 
 def start(brep, material, options=None, control=None):
@@ -12,6 +12,16 @@ def start(brep, material, options=None, control=None):
 def generate_mesh(brep, material, options=None, control=None):
     """As `core.generate_mesh`, in a child process. Raises Crashed, too, a GeometryError."""
     return _result(start(brep, material, options, control))
+
+
+def start_estimate(brep, material, options=None, control=None):
+    """Start the child process for what `core.estimate` takes. Gives the Run."""
+    return Run(Estimating(brep, material, options), control)
+
+
+def estimate(brep, material, options=None, control=None):
+    """As `core.estimate`, in a child process. Raises Crashed, too, a GeometryError."""
+    return _result(start_estimate(brep, material, options, control))
 
 
 def start_distances(references, points, control=None):

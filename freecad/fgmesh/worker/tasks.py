@@ -50,6 +50,19 @@ class Meshing:
         return core.MeshingResult(answer, self._threshold)
 
 
+class Estimating(Meshing):
+    """`core.estimate`."""
+
+    process = "estimating process"
+
+    @classmethod
+    def answer(cls, asked, shapes, arrays, control):
+        return core.estimate(*cls.arguments(asked, shapes), control)
+
+    def result(self, answer):
+        return answer
+
+
 class Measuring:
     """`core.distances`."""
 
@@ -74,7 +87,7 @@ class Measuring:
         return answer
 
 
-TASKS = {task.__name__: task for task in (Meshing, Measuring)}
+TASKS = {task.__name__: task for task in (Meshing, Estimating, Measuring)}
 
 
 def _place(shape, shapes):

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/run_control.hpp"
+#include "core/scalar_field.hpp"
+#include "pipeline/meshing_options.hpp"
+
+namespace fgmesh {
+
+struct MeshEstimate {
+  double tets = 0.0;       ///< expected of the finished mesh
+  double memory_mb = 0.0;  ///< largest resident memory expected of a process that does nothing but mesh
+};
+
+/// What generate_mesh() is to give for these arguments, without doing it: the shape is read and its initial
+/// mesh made, then the density that material and surface deviation want is summed up over that mesh.
+/// Throws what generate_mesh() throws up to there.
+MeshEstimate estimate_mesh(const std::string& shape, const std::vector<const ScalarField*>& materials,
+                           const MeshingOptions& options, RunControl& control);
+
+}  // namespace fgmesh
