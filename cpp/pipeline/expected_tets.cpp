@@ -157,8 +157,8 @@ class Division {
 
   /// Where elements of this size are thicker than a wall, what counts is how many triangles cover it.
   static double density_of(double size, double in_cube, const Piece& piece) {
-    // An equilateral triangle of unit area has a squared edge of 2.3; walls of parts get 1.4 times as many.
-    constexpr double kTriangle = 3.2;
+    // An equilateral triangle of unit area has a squared edge of 2.3; walls of parts get somewhat more.
+    constexpr double kTriangle = 2.7;
     return std::max(in_cube / cube(size), kTriangle * piece.flat / (size * size));
   }
 
