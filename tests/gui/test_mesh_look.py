@@ -93,6 +93,9 @@ def test_looks(in_gui, saved_mesh, artifacts, tmp_path, build_dir, request):
     assert (seen["whole"] == seen["coloured"]).mean() > 0.999  # a button of the window may differ
     for place in answer["dots"]:
         assert np.abs(around("worst", place) - colours.ABOVE).max(axis=1).min() < 0.1
+    x, y = (int(part) for part in answer["places"][2][1])
+    faint = seen["worst"][y - 60 : y + 60, x - 60 : x + 60].reshape(-1, 3)
+    assert len(np.unique(faint, axis=0)) > 20  # edges, and the background behind
     assert (seen["again"] == seen["plain"]).mean() > 0.999  # a button of the window may differ
     assert len(set(answer["nodes"])) == 1
     assert answer["tets"][0] == answer["tets"][1]

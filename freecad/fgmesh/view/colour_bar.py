@@ -38,17 +38,11 @@ class ColourBar:
         self._callback = coin.SoCallback()
         # pivy never lets go of what a callback was given.
         self._callback.setCallback(_fit, weakref.ref(self))
-        overlay = coin.SoAnnotation()
-        for node in (
-            coin.SoResetTransform(),
-            self._callback,
-            self._camera,
-            *_plain_look(),
-            self._texture,
-            self._texture_corners,
-            self._corners,
-            coin.SoFaceSet(),
-        ):
+        panel, overlay = coin.SoSeparator(), coin.SoAnnotation()
+        for node in (self._texture, self._texture_corners, self._corners, coin.SoFaceSet()):
+            panel.addChild(node)
+        look = coin.SoResetTransform(), self._callback, self._camera, *_plain_look()
+        for node in (*look, panel, *_something_opaque()):
             overlay.addChild(node)
         self._switch.addChild(overlay)
         self.root = coin.SoSeparator()
@@ -189,6 +183,15 @@ def _plain_look():
     hints.faceType = coin.SoShapeHints.CONVEX
     complexity.textureQuality = 0.5  # mipmaps would blur letters
     return light, depth, colour, style, draw, hints, complexity
+
+
+def _something_opaque():
+    """Nodes that draw nothing, and have Coin switch blending off. Annotations end a frame, and FreeCAD switches it off
+    behind Coin's back after that: in the next frame Coin would take it for on, and all that is transparent would be
+    opaque."""
+    places = coin.SoCoordinate3()
+    places.point.setValues(0, 3, [(0, 0, 0)] * 3)
+    return places, coin.SoFaceSet()
 
 
 def _without_bounds(content):
