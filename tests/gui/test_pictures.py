@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-WIDTH, HEIGHT = 1280, 900
+WIDTH, HEIGHT = 1280, 1000
 
 WALK = """
 import FreeCAD as App
@@ -69,7 +69,6 @@ fresh_view(document)
 scroll_to_top("FGMeshStages")
 take("report")
 choose("FGMeshLook", "Smallest angles")
-fresh_view(document)
 take("worst")
 panel_button("Close")
 return dict(status=document.FGMesh.Status)
