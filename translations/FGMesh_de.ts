@@ -68,10 +68,6 @@
       <translation>d{} anklicken ...</translation>
     </message>
     <message>
-      <source>Coated insert, two solids with a material each</source>
-      <translation>Stift in einer Platte, zwei Festkörper mit je einem Material</translation>
-    </message>
-    <message>
       <source>Constituent 1</source>
       <translation>Bestandteil 1</translation>
     </message>
@@ -282,6 +278,10 @@
     <message>
       <source>Pictures (*.png *.svg *.pdf)</source>
       <translation>Bilder (*.png *.svg *.pdf)</translation>
+    </message>
+    <message>
+      <source>Pin in a plate, two solids with a material each</source>
+      <translation>Stift in einer Platte, zwei Festkörper mit je einem Material</translation>
     </message>
     <message>
       <source>Plain</source>
