@@ -15,9 +15,7 @@ command("FGMesh_Material")
 choose("FGMeshGrading", "Power law along z")
 wait_until(lambda: widget("FGMeshFormulaMessage").text().startswith("On the solid"))
 panel_button("Ok")
-
-select(part)
-command("FGMesh_Mesh")
+command("FGMesh_Mesh")  # the part is selected still
 write("FGMeshMaterialThreshold", "0.2")
 write("FGMeshSurfaceDeviation", "0.1 mm")
 click("FGMeshStart")

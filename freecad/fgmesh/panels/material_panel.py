@@ -60,7 +60,10 @@ class MaterialPanel:
         except Exception as error:  # FreeCAD turns ours into its own
             self.message.complain(str(error))
             return False
-        return self._close()
+        self._close()
+        for solid in self.solids:
+            FreeCADGui.Selection.addSelection(solid)  # as before, for the next command
+        return True
 
     def reject(self):
         return self._close()
