@@ -103,7 +103,7 @@ class WallRefinement {
 
  private:
   static constexpr double kLongest = 4.5;          // of the thickness of a wall
-  static constexpr double kLongestInStrip = 25.0;  // of its width
+  static constexpr double kLongestInStrip = 30.0;  // of its width
 
   double longest_on_wall(double thickness) const {
     return thickness >= options_.min_size ? kLongest * thickness : std::numeric_limits<double>::infinity();
