@@ -38,6 +38,7 @@ class BackgroundRun:
         self.request = Request(solid, values)
         self.control = control or core.RunControl()
         self._run = worker.start(*self.request.arguments, self.control)
+        self._result = None  # read once, however often it is asked for
 
     def __enter__(self):
         return self
@@ -51,7 +52,9 @@ class BackgroundRun:
 
     def result(self):
         """The core.MeshingResult of a run that has ended; raises core.Error where it came to nothing."""
-        return self._run.result()
+        if self._result is None:
+            self._result = self._run.result()
+        return self._result
 
     def close(self):
         """Ends the child where it still runs. May be called twice."""

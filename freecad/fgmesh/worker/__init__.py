@@ -11,7 +11,6 @@ cancelling and limits end even a run that listens to nothing, and without a memo
 of nine tenths of what is available at the start. They take a tenth of a second longer, to start the process.
 `start`, `start_estimate` and `start_distances` do not wait, and give a `Run` to be asked now and then.
 """
-from freecad.fgmesh.worker.run import Crashed, Run, available_memory_mb
 from freecad.fgmesh.worker.functions import (
     distances,
     estimate,
@@ -20,6 +19,7 @@ from freecad.fgmesh.worker.functions import (
     start_distances,
     start_estimate,
 )
+from freecad.fgmesh.worker.run import Crashed, Run, available_memory_mb
 
 __all__ = [
     "Crashed",
