@@ -5,9 +5,10 @@
 
 namespace fgmesh {
 
-/// Removes an inner vertex by drawing it onto its neighbour `target`, if every tetrahedron made
-/// scores at least `least` and varies by at most `variation`. Returns whether it did.
-bool collapse_edge(MeshState& state, int vertex, int target, const TetScore& score, double least,
-                   double variation);
+/// Removes a vertex by drawing it along an edge onto its neighbour `target`, if every tetrahedron made scores
+/// more than `least`. A vertex of a face goes along that face, one of an edge of the shape along that edge,
+/// where that keeps the boundary as close to the true one as allowed_chord_error() asks, or as it is. The
+/// mesh stays a complex by the link condition (Dey et al. 1999). Returns whether it did.
+bool collapse_edge(MeshState& state, int vertex, int target, const TetScore& score, double least);
 
 }  // namespace fgmesh

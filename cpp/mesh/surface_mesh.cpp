@@ -89,6 +89,13 @@ int SurfaceMesh::split(int a, int b, const Vec3& target) {
   at_edge(a, b, around);
   const int edge = crease(a, b);
   if (around.empty()) return -1;
+  if (!edge) {
+    // In a thin wedge two faces may have the edge in common: their middles are apart.
+    const int face = triangles[around.front()].face;
+    around.erase(
+        std::remove_if(around.begin(), around.end(), [&](int t) { return triangles[t].face != face; }),
+        around.end());
+  }
   Vertex middle;
   middle.carrier = edge ? Carrier{1, edge} : Carrier{2, triangles[around.front()].face};
   middle.size = 0.5 * (vertices[a].size + vertices[b].size);

@@ -57,7 +57,8 @@ class SurfaceMesh {
   int add_vertex(const Vertex& vertex);
 
   /// Splits an edge by a new vertex on the true boundary, nearest to the middle of the edge or to `target`.
-  /// Returns the vertex; -1, and nothing is changed, where the edge runs beside its face.
+  /// Returns the vertex; -1, and nothing is changed, where the edge runs beside its face. An edge inside two
+  /// faces is split in one of them.
   int split(int a, int b) { return split(a, b, 0.5 * (position(a) + position(b))); }
   int split(int a, int b, const Vec3& target);
 

@@ -120,6 +120,22 @@ void smooth(SurfaceMesh& mesh, RunControl& control) {
   }
 }
 
+/// Splits the edges that two faces have in common inside both, as samples of a thin wedge do: there would be
+/// nothing between the two.
+void part_faces(SurfaceMesh& mesh, RunControl& control) {
+  std::vector<int> around;
+  const std::size_t old_triangles = mesh.triangles.size();
+  for (std::size_t t = 0; t < old_triangles; ++t) {
+    if (t % kPoll == 0) control.check();
+    for (int i = 0; i < 3 && mesh.triangles[t].alive(); ++i) {
+      const int a = mesh.triangles[t].vertex[i], b = mesh.triangles[t].vertex[(i + 1) % 3];
+      if (mesh.crease(a, b)) continue;
+      mesh.at_edge(a, b, around);
+      if (around.size() > 2) mesh.split(a, b);
+    }
+  }
+}
+
 /// Splits, collapses and flips edges and moves vertices until edges have the size wanted at their ends.
 void remesh(SurfaceMesh& mesh, const SurfaceRemeshingOptions& options, RunControl& control) {
   constexpr int kMostRounds = 12;
@@ -230,6 +246,7 @@ void make_surface_delaunay(SurfaceMesh& mesh, RunControl& control) {
 
 void remesh_surface(SurfaceMesh& mesh, const WallThickness& walls, const SurfaceRemeshingOptions& options,
                     RunControl& control) {
+  part_faces(mesh, control);
   set_sizes(mesh, options, control);
   constexpr int kMostRounds = 6;
   for (int round = 0; round < kMostRounds; ++round) {

@@ -124,6 +124,18 @@ bool WorstFirst::improve_vertex(int v) {
   return improved;
 }
 
+bool WorstFirst::collapse(int t) {
+  const std::array<int, 4> vertices = state_.complex.tet(t).vertex;
+  for (int v : vertices) {
+    state_.complex.star(v, star_);
+    double least = 1.0;
+    for (int at : star_) least = std::min(least, score_(at));
+    for (int w : vertices)
+      if (w != v && collapse_edge(state_, v, w, score_, least + kClearly)) return true;
+  }
+  return false;
+}
+
 bool WorstFirst::insert_vertex(int t) {
   // Best inside, between two boundary vertices: that frees a tetrahedron squeezed flat against the boundary.
   const Tet tet = state_.complex.tet(t);
@@ -158,6 +170,7 @@ bool WorstFirst::mend(int t, Swapper& swapper) {
   }
   // Moves that gain next to nothing would keep the new vertex away for ever.
   if (any && score_(t) > before + kClearly) return true;
+  if (collapse(t)) return true;
   return (may_insert_ && insert_vertex(t)) || any;
 }
 

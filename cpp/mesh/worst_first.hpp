@@ -11,7 +11,8 @@
 namespace fgmesh {
 
 /// Local improvement of the tetrahedra that miss a goal, worst first: swaps of their edges and faces, then
-/// moves of their vertices, each kept only if the worst score around it rises. Frozen vertices stay in place.
+/// moves of their vertices, then collapses of their edges, each kept only if the worst score around it rises
+/// (Klingner and Shewchuk 2007). Frozen vertices stay in place.
 class WorstFirst {
  public:
   WorstFirst(MeshState& state, const TetScore& score) : state_(state), score_(score) {}
@@ -19,7 +20,7 @@ class WorstFirst {
   /// Goes over all tetrahedra that score below 1, at most `rounds` times. Returns how many are left.
   int run(int rounds, RunControl& control);
 
-  /// Also puts a new vertex into a tetrahedron that neither swaps nor moves mend, where that raises the worst
+  /// Also puts a new vertex into a tetrahedron that nothing else mends, where that raises the worst
   /// score around it.
   void allow_insertion() {
     may_insert_ = true;
@@ -35,6 +36,7 @@ class WorstFirst {
  private:
   bool mend(int t, Swapper& swapper);
   std::size_t surroundings(int t) const;
+  bool collapse(int t);
   bool insert_vertex(int t);
   Vec3 random_direction();
   bool is_promising(int v, const Vec3& way, double best) const;

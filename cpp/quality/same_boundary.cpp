@@ -71,6 +71,33 @@ std::string told(const std::string& name, const Pieces& found, const Pieces& exp
          std::to_string(found.euler) + " for " + std::to_string(expected.euler) + ")";
 }
 
+/// Two faces that have a side in common inside both: nothing is left between them there. One twice, where it
+/// touches itself; {0, 0} where no faces do.
+template <class IsBridged>
+Side touching_faces(const TetMesh& mesh, const IsBridged& is_bridged) {
+  std::vector<std::array<int, 3>> sides;  // the ends, and FaceN
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    const int face = mesh.triangle_faces[t];
+    if (is_bridged(2, face)) continue;
+    for (const auto& [from, to] : {Side{a, b}, Side{b, c}, Side{c, a}})
+      sides.push_back({std::min(from, to), std::max(from, to), face});
+  }
+  std::sort(sides.begin(), sides.end());
+  std::vector<Side> edges;
+  for (const auto& [a, b] : mesh.edges) edges.push_back({std::min(a, b), std::max(a, b)});
+  std::sort(edges.begin(), edges.end());
+  for (std::size_t i = 3; i < sides.size(); ++i) {
+    const auto& [a, b, face] = sides[i - 3];
+    const int other = sides[i][2];
+    const bool same_side = sides[i][0] == a && sides[i][1] == b;
+    if (same_side && sides[i - 2][2] == face && sides[i - 1][2] == other &&
+        !std::binary_search(edges.begin(), edges.end(), Side{a, b}))
+      return {face, other};
+  }
+  return {0, 0};
+}
+
 }  // namespace
 
 std::string find_difference(const TetMesh& mesh, const SampledBoundary& samples,
@@ -102,6 +129,9 @@ std::string find_difference(const TetMesh& mesh, const SampledBoundary& samples,
     if (!(in_mesh == in_shape) && !is_bridged(1, curve.edge))
       return told(name({1, curve.edge}), in_mesh, in_shape);
   }
+  if (const auto [face, other] = touching_faces(mesh, is_bridged); face)
+    return name({2, face}) + " and " + name({2, other}) +
+           " touch, where the shape has a wall or a gap between them";
   return {};
 }
 

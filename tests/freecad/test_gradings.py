@@ -80,3 +80,22 @@ def test_every_grading_names_what_it_needs(cylinder):
     links = [(cylinder, "Face1"), (cylinder, "Face2")]
     for grading in gradings.GRADINGS:
         fractions_at(cylinder, grading.name, [MIDDLE], references=links[: grading.references])
+
+
+@pytest.mark.parametrize(
+    "size, name",
+    [
+        ((1, 2, 3), "Linear along z"),
+        ((3, 2, 1), "Linear along x"),
+        ((2, 3, 1), "Linear along y"),
+        ((2, 2, 2), "Linear along z"),
+    ],
+)
+def test_the_first_one_runs_along_the_longest_axis_of_the_frame(document, placement, size, name):
+    from freecad.fgmesh.model import gradings
+
+    box = document.addObject("Part::Box", "Box")
+    box.Length, box.Width, box.Height = size
+    box.Placement = placement
+    document.recompute()
+    assert gradings.to_begin_with(box.Shape, box.Placement).name == name

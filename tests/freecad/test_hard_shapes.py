@@ -108,6 +108,12 @@ def crossing_bores():
     return Part.makeCylinder(8, 50).cut(bores)
 
 
+def grazing_bore():
+    """A cross bore that breaks out of the shaft on either side of a bridge, 0.02 mm thick and thinner towards its
+    ends."""
+    return Part.makeCylinder(8, 50).cut(Part.makeCylinder(2, 60, Vector(-30, 5.98, 25), X))
+
+
 def loft():
     square = Part.makePolygon([Vector(x, y) for x, y in ((-6, -6), (6, -6), (6, 6), (-6, 6), (-6, -6))])
     sections = [Part.Wire(Part.makeCircle(4, Vector(0, 0, 15))), square]
@@ -170,6 +176,7 @@ VOLUMES = {
     nearly_horn: 2 * math.pi**2 * 10.1 * 10**2,
     coil: math.pi * 1.5**2 * math.hypot(20 * math.pi, 8),
     crossing_bores: None,
+    grazing_bore: None,
     loft: None,
     small_fillet: 6000 - (1 - math.pi / 4) * 0.1**2 * 10,
     narrow_strip: 4000 - (2 - math.pi / 2) * 4.99**2 * 40,

@@ -129,7 +129,7 @@ command("FGMesh_Material")
 write("FGMeshFormula", "z/h")
 wait_until(lambda: widget("FGMeshFormulaMessage").kind == "error")
 click("FGMeshMakeParameter")
-write_cell("FGMeshParameters", 0, 1, "Sheet.height")
+write_cell("FGMeshParameters", 2, 1, "Sheet.height")
 panel_button("Ok")
 mesh = meshed(box)
 first = mesh.Status

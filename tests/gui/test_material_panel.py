@@ -41,6 +41,27 @@ return dict(unchanged=unchanged, given=given, undo=undo, undone=undone, again=li
     assert answer["again"] == answer["given"][0]
 
 
+def test_a_solid_without_material_begins_with_a_linear_grading_and_keeps_no_parameter_unused(drive):
+    answer = drive(
+        CYLINDER
+        + """
+command("FGMesh_Material")
+shown = widget("FGMeshFormula").formula(), widget("FGMeshGrading").currentText()
+wait_until(lambda: widget("FGMeshFormulaMessage").text() == "On the solid: 0 to 1")
+panel_button("Ok")
+ready = list(part.FGMFractions), part.FGM_start, part.FGM_length
+document.undo()
+command("FGMesh_Material")
+write("FGMeshFormula", "z/length")
+panel_button("Ok")
+return dict(shown=shown, ready=ready, names=[name for name in part.PropertiesList if name.startswith("FGM_")])
+"""
+    )
+    assert answer["shown"] == ["clamp((z - start)/length, 0, 1)", "Linear along z"]
+    assert answer["ready"] == [[answer["shown"][0]], 0, 60]
+    assert answer["names"] == ["FGM_length"]
+
+
 def test_errors_are_marked_at_their_place_and_unknown_names_become_parameters(drive):
     answer = drive(
         CYLINDER
@@ -51,7 +72,7 @@ wait_until(lambda: widget("FGMeshFormulaMessage").kind == "error")
 marked = widget("FGMeshFormula").marked()
 picture(f"{pictures}/material-error.png")
 click("FGMeshMakeParameter")
-write_cell("FGMeshParameters", 0, 1, "3/Height")
+write_cell("FGMeshParameters", 2, 1, "3/Height")
 wait_until(lambda: widget("FGMeshFormulaMessage").kind == "")
 says = widget("FGMeshFormulaMessage").text()
 write("FGMeshFormula", "2*exp(-alpha*z)")

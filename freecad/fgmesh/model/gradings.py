@@ -167,3 +167,12 @@ GRADINGS = (
         references=1,
     ),
 )
+
+
+def to_begin_with(shape, frame):
+    """The linear one along the axis of `frame` along which `shape` is longest; of axes alike, z before x and y."""
+    reach = extent(shape, frame)
+    lengths = [high - low for low, high in zip(reach.low, reach.high)]
+    z, x, y = GRADINGS[:3]
+    longest = (1 - _ENOUGH) * max(lengths)  # rounding of the triangles decides nothing
+    return next(one for one, axis in ((z, 2), (x, 0), (y, 1)) if lengths[axis] >= longest)

@@ -28,11 +28,13 @@ _WAIT_MILLISECONDS = 30  # for the next key; the preview follows within 200
 
 
 class MaterialPanel:
-    """The material of `solids`, one for all of them; what the first has is shown at the start."""
+    """The material of `solids`, one for all of them; what the first has is shown at the start, a linear grading where
+    it has none."""
 
     def __init__(self, solids):
         self.solids, self._first = solids, solids[0]
         self._missing_name = None
+        self._brought = set()  # parameters of a ready grading, which a formula of the user's may not need
         self._timer = QtCore.QTimer()
         self._timer.setSingleShot(True)
         self._timer.setInterval(_WAIT_MILLISECONDS)
@@ -41,6 +43,8 @@ class MaterialPanel:
         self.form = [self._material_box(), self.preview]
         self._connect()
         self._show(MaterialDraft.of(self._first))
+        if not self.formula.formula():
+            self._use_grading(gradings.to_begin_with(self._first.Shape, self._frame()))
         self.preview.setChecked(preferences.preview_at_start())
         self._refresh()
 
@@ -73,12 +77,11 @@ class MaterialPanel:
     def draft(self):
         """The MaterialDraft that is shown."""
         names = [combo.currentText().strip() for combo in self.constituents]
+        formula, parameters = self.formula.formula(), self.parameters.parameters()
+        for name in self._brought - set(re.findall(r"\w+", formula)):
+            parameters.pop(name, None)
         return MaterialDraft(
-            names if all(names) else [],
-            [self.formula.formula()],
-            self.parameters.parameters(),
-            self.frame.frame(),
-            self.references.links(),
+            names if all(names) else [], [formula], parameters, self.frame.frame(), self.references.links()
         )
 
     def _show(self, draft):
@@ -143,7 +146,7 @@ class MaterialPanel:
         return box
 
     def _connect(self):
-        self.grading.activated.connect(self._use_grading)
+        self.grading.activated.connect(self._grading_chosen)
         self.formula.textChanged.connect(self._timer.start)
         self.parameters.edited.connect(self._timer.start)
         self.frame.edited.connect(self._timer.start)
@@ -158,15 +161,22 @@ class MaterialPanel:
     def _constituents_changed(self):
         self.preview.set_constituents([combo.currentText().strip() for combo in self.constituents])
 
-    def _use_grading(self, row):
-        if row == 0:
-            return
-        grading = gradings.GRADINGS[row - 1]
-        frame = self._first.Placement.multiply(self.frame.frame())
-        self.parameters.set_parameters(gradings.fitted(grading, self._first.Shape, frame))
+    def _frame(self):
+        """That of the material, in the coordinates of the solid's shape."""
+        return self._first.Placement.multiply(self.frame.frame())
+
+    def _grading_chosen(self, row):
+        if row > 0:
+            self._use_grading(gradings.GRADINGS[row - 1])
+            self._refresh()
+
+    def _use_grading(self, grading):
+        self.grading.setCurrentIndex(1 + gradings.GRADINGS.index(grading))
+        parameters = gradings.fitted(grading, self._first.Shape, self._frame())
+        self._brought = set(parameters)
+        self.parameters.set_parameters(parameters)
         self.formula.set_formula(grading.formula)
         self.references.pick_until(grading.references)
-        self._refresh()
 
     def _refresh(self):
         """Checks what is written, marks what is wrong, has the preview follow."""

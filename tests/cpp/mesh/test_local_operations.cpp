@@ -168,48 +168,91 @@ TEST(SplitEdgeWhereTheMaterialIsWrong, NamesThePoint) {
   }
 }
 
-TEST(CollapseEdge, TakesAVertexAwayAndKeepsTheRest) {
+class CollapseEdgeOn : public testing::TestWithParam<int> {};
+
+TEST_P(CollapseEdgeOn, TakesAVertexOfThisDimensionAwayAndKeepsTheRest) {
   test::GridMesh mesh(3.0, 3);
+  mesh.state.chord_limit = 1e-9;
   const TetScore score(mesh.state, {1.0, 179.0, false});
-  const auto [a, b, t] = edge_on(mesh, 3);
+  const auto [a, b, t] = edge_on(mesh, GetParam());
   const int vertices = test::vertex_count(mesh.state), v = split_edge(mesh.state, a, b, t);
   ASSERT_GE(v, 0);
   const int before = mesh.state.complex.tet_count();
+  const std::size_t creases = mesh.state.complex.creases().size();
   std::vector<int> star;
   mesh.state.complex.star(v, star);
-  ASSERT_TRUE(collapse_edge(mesh.state, v, b, score, 0.0, kInfinity));
+  ASSERT_TRUE(collapse_edge(mesh.state, v, b, score, 0.0));
   EXPECT_EQ(test::find_fault(mesh.state, mesh.solid), "");
   EXPECT_EQ(mesh.state.complex.tet_at(v), -1);
   EXPECT_EQ(test::vertex_count(mesh.state), vertices);
   EXPECT_EQ(mesh.state.complex.tet_count(), before - static_cast<int>(star.size()) / 2);
+  EXPECT_EQ(mesh.state.complex.creases().size(), creases - (GetParam() == 1));
   EXPECT_NEAR(test::volume_of(mesh.state), 27.0, 1e-12);
 }
 
-TEST(CollapseEdge, LeavesTheBoundaryAlone) {
+INSTANTIATE_TEST_SUITE_P(Dimension, CollapseEdgeOn, testing::Values(1, 2, 3));
+
+TEST(CollapseEdge, NeverTakesAVertexOffItsCarrier) {
   test::GridMesh mesh(3.0, 3);
+  mesh.state.chord_limit = 1e-9;
   const TetScore score(mesh.state, {1.0, 179.0, false});
+  const auto carrier = [&](int v) { return mesh.state.vertices[v].carrier; };
   for (int v = 0; v < mesh.state.complex.vertex_slots(); ++v) {
-    if (mesh.state.vertices[v].carrier.dimension == 3) continue;
-    const Tet& tet = mesh.state.complex.tet(mesh.state.complex.tet_at(v));
-    for (const int w : tet.vertex)
-      if (w != v) {
-        EXPECT_FALSE(collapse_edge(mesh.state, v, w, score, -kInfinity, kInfinity));
+    const Tet tet = mesh.state.complex.tet(mesh.state.complex.tet_at(v));
+    for (const int w : tet.vertex) {
+      const bool along =
+          carrier(w).dimension < carrier(v).dimension ||
+          (carrier(w).dimension == carrier(v).dimension && carrier(w).number == carrier(v).number);
+      if (w != v && (!along || carrier(v).dimension == 0)) {
+        EXPECT_FALSE(collapse_edge(mesh.state, v, w, score, -kInfinity));
       }
+    }
   }
   EXPECT_EQ(test::find_fault(mesh.state, mesh.solid), "");
 }
 
-TEST(CollapseEdge, KeepsTheVariationAskedFor) {
-  test::GridMesh mesh(3.0, 3, test::linear(Vec3(1.0 / 3.0, 0, 0)), 1.0);
-  const TetScore score(mesh.state, {1.0, 179.0, false});
+TEST(CollapseEdge, KeepsTheScoreAskedFor) {
   // One cell is a third wide: a tetrahedron without an inner vertex reaches across two.
+  test::GridMesh mesh(3.0, 3, test::linear(Vec3(1.0 / 3.0, 0, 0)), 0.4);
+  const TetScore score(mesh.state, {1.0, 179.0, true});
   const auto [a, b, t] = edge_on(mesh, 3);
   const int inner = mesh.state.vertices[a].carrier.dimension == 3 ? a : b;
   ASSERT_EQ(mesh.state.vertices[inner].carrier.dimension, 3);
   const int before = mesh.state.complex.tet_count();
-  EXPECT_FALSE(collapse_edge(mesh.state, inner, a + b - inner, score, -kInfinity, 0.3));
+  EXPECT_FALSE(collapse_edge(mesh.state, inner, a + b - inner, score, 0.99));
   EXPECT_EQ(mesh.state.complex.tet_count(), before);
   EXPECT_EQ(test::find_fault(mesh.state, mesh.solid), "");
+}
+
+TEST(CollapseEdge, KeepsTheBoundaryCloseToTheTrueOne) {
+  constexpr double kRadius = 1.0, kAllowed = 0.03;
+  const test::BallSolid ball(kRadius);
+  const test::FunctionField field = test::constant(0.5);
+  MeshState state(ball, field, 0.1, 3.5);
+  state.chord_limit = 1.0;
+  RunControl control;
+  make_initial_mesh(state, ball.samples(), {0.25, 0.01}, control);
+  for (Vertex& vertex : state.vertices) vertex.size = 10.0;
+  state.chord_limit = kAllowed;
+  const TetScore score(state, {1.0, 179.0, false});
+  int collapses = 0;
+  for (int v = 0; v < state.complex.vertex_slots(); ++v) {
+    if (state.complex.tet_at(v) < 0 || state.vertices[v].carrier.dimension != 2) continue;
+    const std::array<int, 4> around = state.complex.tet(state.complex.tet_at(v)).vertex;
+    collapses += std::any_of(around.begin(), around.end(),
+                             [&](int w) { return w != v && collapse_edge(state, v, w, score, 0.0); });
+  }
+  EXPECT_GT(collapses, 50);
+  EXPECT_EQ(test::find_fault(state, ball), "");
+  for (int t = 0; t < state.complex.slots(); ++t) {
+    const Tet& tet = state.complex.tet(t);
+    for (int i = 0; i < 4 && tet.alive(); ++i) {
+      if (!tet.label[i]) continue;
+      Vec3 centre = Vec3::Zero();
+      for (int k = 0; k < 3; ++k) centre += state.position(tet.vertex[kFaceVertices[i][k]]) / 3.0;
+      EXPECT_LT(kRadius - centre.norm(), kAllowed);
+    }
+  }
 }
 
 TEST(ResolveBoundary, SplitsEdgesThatAreFarFromTheTrueFace) {

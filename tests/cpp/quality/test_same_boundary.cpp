@@ -96,6 +96,15 @@ std::vector<Plant> plants() {
          m.edge_edges.push_back(4);
        },
        "Edge4 has other holes"},
+      {"WallWithoutThickness",
+       [](TetMesh& m) {
+         const auto from = m.triangles[inner_triangle(m, 3)], to = m.triangles[inner_triangle(m, 4)];
+         for (auto& triangle : m.triangles)
+           for (int& v : triangle)
+             for (int i : {0, 1})
+               if (v == from[i]) v = to[i];
+       },
+       "Face3 and Face4 touch"},
   };
 }
 
