@@ -19,12 +19,16 @@ namespace {
 /// both, faces may meet: neighbours do, and sloppy ones cross there within their tolerance.
 constexpr double kTouching = 1e-7, kBorder = 1e-3;
 
-constexpr double kTangent = 0.05;  // sine between normals
+/// Sines between normals; the second where one face goes over into the other, as at the tip of a wedge.
+constexpr double kTangent = 0.05, kCusp = 2e-3;
 
 class CrossingSearch {
  public:
   CrossingSearch(const SampledBoundary& samples, const BoundaryGeometry& boundary, RunControl& control)
       : samples_(samples), boundary_(boundary), control_(control), diagonal_(samples.bounds.diagonal()) {
+    triangles_at_.resize(samples.points.size());
+    for (std::size_t t = 0; t < samples.triangles.size(); ++t)
+      for (int v : samples.triangles[t]) triangles_at_[v].push_back(static_cast<int>(t));
     for (const SampledBoundary::Curve& curve : samples.curves)
       for (int face : curve.faces) edges_of_face_[face].push_back(curve.edge);
   }
@@ -45,16 +49,18 @@ class CrossingSearch {
     Vec3 away, outward;  ///< from the edge along the face, and out of the solid
   };
 
-  /// A solid that has more than two faces at an edge touches itself there. Where two of these lie upon each
-  /// other, it or the gap between them has no thickness.
+  /// Where two faces of a solid lie upon each other at an edge, it or the gap between them has no thickness.
+  /// A solid that has more than two faces at an edge touches itself there.
   void look_along(const SampledBoundary::Curve& curve) {
-    if (curve.faces.size() < 3) return;
-    for (const auto& [solid, sides] : sides_at(curve))
-      for (std::size_t i = 0; i < sides.size() && sides.size() > 2; ++i)
+    if (curve.faces.size() < 2) return;
+    for (const auto& [solid, sides] : sides_at(curve)) {
+      const double least_sine = sides.size() > 2 ? kTangent : kCusp;
+      for (std::size_t i = 0; i < sides.size(); ++i)
         for (std::size_t k = i + 1; k < sides.size(); ++k)
           if (sides[i].away.dot(sides[k].away) > 0.0 && sides[i].outward.dot(sides[k].outward) < 0.0 &&
-              sides[i].outward.cross(sides[k].outward).norm() < kTangent)
+              sides[i].outward.cross(sides[k].outward).norm() < least_sine)
             refuse_tangent(sides[i].face, sides[k].face, curve.edge);
+    }
   }
 
   /// Of each solid at the middle of an edge.
@@ -64,12 +70,12 @@ class CrossingSearch {
     const CurvePoint place =
         boundary_.project_to_edge(curve.edge, 0.5 * (samples_.points[from] + samples_.points[to]));
     std::map<int, std::vector<Side>> sides;
-    for (std::size_t t = 0; t < samples_.triangles.size(); ++t) {
+    for (int t : triangles_at_[from]) {
       const std::array<int, 3>& v = samples_.triangles[t];
-      if (std::count(v.begin(), v.end(), from) + std::count(v.begin(), v.end(), to) < 2) continue;
+      if (std::find(v.begin(), v.end(), to) == v.end()) continue;
       const int face = samples_.triangle_face[t];
       const Vec3 normal = boundary_.project_to_face(face, place.position).normal;
-      Vec3 away = centre(static_cast<int>(t)) - place.position;
+      Vec3 away = centre(t) - place.position;
       away -= away.dot(place.tangent) * place.tangent;
       away -= away.dot(normal) * normal;
       const auto& [behind, before] = samples_.triangle_solids[t];
@@ -210,6 +216,7 @@ class CrossingSearch {
   const BoundaryGeometry& boundary_;
   RunControl& control_;
   double diagonal_;
+  std::vector<std::vector<int>> triangles_at_;  // each sample
   std::map<int, std::vector<int>> edges_of_face_;
   std::map<std::pair<int, int>, int> looks_;
 };

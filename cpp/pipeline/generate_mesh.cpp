@@ -159,7 +159,7 @@ void finish(MeshingResult& result, const BrepModel& model, const SampledBoundary
 }
 
 /// Lowers the deviation until the volumes are right, as the default is to. Returns it; or that which was
-/// given, where they are although MinSize is in the way of so small a deviation.
+/// given, where MinSize is in the way of so small a deviation.
 double refine_to_volume(MeshState& state, GeometryRefinementOptions refinement, const BrepModel& model,
                         RunControl& control) {
   const double given = refinement.deviation;
@@ -169,7 +169,6 @@ double refine_to_volume(MeshState& state, GeometryRefinementOptions refinement, 
     refinement.deviation = lowered_deviation(refinement.deviation, error, state.diagonal());
     refine_geometry(state, refinement, control);
   }
-  if (largest_volume_error(state.to_tet_mesh(), model) > kVolumeGoal) return refinement.deviation;
   const TetComplex& complex = state.complex;
   for (int t = 0; t < complex.slots(); ++t)
     for (int face = 0; face < 4 && complex.tet(t).alive(); ++face)

@@ -13,7 +13,7 @@ struct MeshingOptions {
   double material_threshold = 0.1;
   /// Largest distance of a boundary facet's centre (or of the middle of a mesh edge that follows a
   /// B-Rep edge) to the true boundary, mm; 0: the diagonal of the part / 2000, or as much less, down to a
-  /// tenth of that, as keeps the volume of each solid within 0.5 %.
+  /// twentieth of that, as keeps the volume of each solid within 0.5 %.
   double surface_deviation = 0.0;
   /// No refinement makes edges shorter than this, mm; 0: the diagonal of the part / 2000.
   double min_size = 0.0;

@@ -12,7 +12,7 @@ namespace fgmesh {
 inline constexpr double kVolumeGoal = 5e-3;
 
 /// It is not made smaller than this for a part of so large a diagonal, mm.
-inline double least_deviation(double diagonal) { return diagonal / 20000.0; }
+inline double least_deviation(double diagonal) { return diagonal / 40000.0; }
 
 /// What it becomes where it leaves so large an error of volume, mm.
 double lowered_deviation(double deviation, double error, double diagonal);
