@@ -111,7 +111,7 @@ def run_study(name, folder, repeat):
     write_mesh(result, out)
     figures = check.measure(case, out, threshold)
     points, _, triangles = check.read(out)
-    if abs(case.fraction_at(points) - result.fraction).max() > 1e-9:
+    if abs(case.fraction_at(points) - result.fractions[:, 0]).max() > 1e-9:
         figures["faults"].append(f"the fractions are not those of {case.name}")
     boundary = Part.makeCompound(shape.Faces)
     centres = points[triangles].mean(axis=1).tolist()

@@ -33,6 +33,7 @@ void raise_formula_error(const FormulaError& error) {
   try {
     py::object instance = py::handle(classes.formula_error)(error.what());
     instance.attr("position") = error.position();
+    instance.attr("formula") = error.formula();
     PyErr_SetObject(classes.formula_error, instance.ptr());
   } catch (py::error_already_set& failure) {
     failure.restore();
@@ -62,7 +63,8 @@ void bind_errors(py::module_& module) {
       make_class(module, "InvalidInput", "An option, a file or a material that has no meaning.",
                  bases(classes.error, PyExc_ValueError));
   classes.formula_error = make_class(
-      module, "FormulaError", "A formula that is none; `position` is the offset of the fault in its text.",
+      module, "FormulaError",
+      "A formula that is none; `formula` is its index, `position` the offset of the fault in its text.",
       bases(classes.invalid_input));
   classes.geometry_error =
       make_class(module, "GeometryError", "The shape cannot be meshed.", bases(classes.error));
@@ -70,6 +72,7 @@ void bind_errors(py::module_& module) {
       make_class(module, "Cancelled", "The run was cancelled or reached a limit.", bases(classes.error));
   // So that an instance made in Python has one too.
   py::handle(classes.formula_error).attr("position") = 0;
+  py::handle(classes.formula_error).attr("formula") = 0;
   py::register_exception_translator(&translate);
 }
 

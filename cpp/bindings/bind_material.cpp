@@ -54,21 +54,41 @@ void require_rows(const Array& distances, std::size_t rows, std::size_t columns)
                      "): a row for each point, with the distance to each reference");
 }
 
+/// Rows of the arrays that a CompositionField fills, with the remainder as their last: (n, k) of numbers or
+/// (n, k, 3) of vectors, the remainder of `whole`.
+template <class Part>
+Array with_remainder(const std::vector<Part>& parts, std::size_t count, int constituents, const Part& whole,
+                     std::vector<py::ssize_t> shape) {
+  Array result(std::move(shape));
+  Part* out = reinterpret_cast<Part*>(result.mutable_data());
+  for (std::size_t i = 0; i < count; ++i) {
+    Part rest = whole;
+    for (int k = 0; k + 1 < constituents; ++k) {
+      const Part& part = parts[k * count + i];
+      *out++ = part;
+      rest -= part;
+    }
+    *out++ = rest;
+  }
+  return result;
+}
+
 Array evaluate(const Material& material, const Array& array, const std::optional<Array>& distances) {
   const Points points = as_points(array);
   if (distances)
     require_rows(*distances, points.count, material.references().size());
   else
     require_read(material.references());
-  Array values(array.shape(0));
-  double* const out = values.mutable_data();
-  const double* const known = distances ? distances->data() : nullptr;
-  const py::gil_scoped_release released;
-  if (known)
-    material.evaluate_at(points.data, known, points.count, out);
-  else
-    material.evaluate(points.data, points.count, out);
-  return values;
+  const int constituents = material.constituents();
+  std::vector<double> fractions(points.count * (constituents - 1));
+  {
+    const py::gil_scoped_release released;
+    if (distances)
+      material.evaluate_at(points.data, distances->data(), points.count, fractions.data());
+    else
+      material.evaluate(points.data, points.count, fractions.data());
+  }
+  return with_remainder(fractions, points.count, constituents, 1.0, {array.shape(0), constituents});
 }
 
 /// In blocks, so that it listens to the control.
@@ -95,36 +115,40 @@ Array distances(const std::vector<Reference>& references, const Array& array, Ru
   return table;
 }
 
-Array gradient(const Material& material, const Array& array) {
+Array gradients(const Material& material, const Array& array) {
   require_read(material.references());
   const Points points = as_points(array);
-  Array gradients({array.shape(0), py::ssize_t{3}});
-  Vec3* const out = reinterpret_cast<Vec3*>(gradients.mutable_data());
-  const py::gil_scoped_release released;
-  std::vector<double> values(points.count);
-  material.evaluate(points.data, points.count, values.data(), out);
-  return gradients;
+  const int constituents = material.constituents();
+  std::vector<Vec3> gradients(points.count * (constituents - 1));
+  {
+    const py::gil_scoped_release released;
+    std::vector<double> fractions(gradients.size());
+    material.evaluate(points.data, points.count, fractions.data(), gradients.data());
+  }
+  return with_remainder(gradients, points.count, constituents, Vec3(Vec3::Zero()),
+                        {array.shape(0), constituents, py::ssize_t{3}});
 }
 
-std::pair<double, double> bounds(const Material& material, const Vec3& low, const Vec3& high) {
+std::pair<std::vector<double>, std::vector<double>> bounds(const Material& material, const Vec3& low,
+                                                           const Vec3& high) {
   require_read(material.references());
   if (!(low.array() <= high.array()).all()) {
     throw InvalidInput("a box needs low <= high in each of its three coordinates");
   }
-  std::pair<double, double> result;
-  material.bounds({low, high}, result.first, result.second);
-  return result;
+  std::vector<double> lowest(material.constituents() - 1), highest(lowest.size());
+  material.bounds({low, high}, lowest.data(), highest.data());
+  return {lowest, highest};
 }
 
 constexpr char kMaterialDoc[] =
     R"(Material(fractions, parameters={}, origin=(0, 0, 0), rotation=identity, references=[])
 
-A graded material of two constituents. fractions: a list of one formula, the volume fraction of the first
-constituent over x y z r theta d, pi, e, the parameters and the distances to references. parameters: dict of name
-to number. origin (mm) and rotation (3x3, columns are the axes) place the frame that the formula measures in.
+A graded material of k constituents. fractions: a list of k - 1 formulas, the volume fractions of all
+constituents but the last, which is the remainder, over x y z r theta d, pi, e, the parameters and the distances to
+references. parameters: dict of name to number. origin (mm) and rotation (3x3, columns are the axes) place the frame that the formula measures in.
 references: a list of Reference, see core.references(); d1 d2 ... are the distances to them in mm, to the boundary
 where they are solids; s1 s2 ... those to solids with a sign, below zero inside. Immutable.
-Raises FormulaError where the text is no formula, InvalidInput for a parameter or frame that has no meaning.)";
+Raises FormulaError where a text is no formula, InvalidInput for a parameter or frame that has no meaning.)";
 
 }  // namespace
 
@@ -145,17 +169,19 @@ void bind_material(py::module_& module) {
           "rotation", [](const Material& material) { return Eigen::Matrix3d(material.frame().rotation); })
       .def_property_readonly("references", &Material::references)
       .def("evaluate", &evaluate, py::arg("points"), py::arg("distances") = py::none(),
-           "Volume fraction (n,) at points (n, 3) in mm; NaN where the formula is not defined. distances "
+           "Volume fractions (n, k) of all constituents at points (n, 3) in mm; NaN where a formula is not "
+           "defined. distances "
            "(n, r): those to the r references at the points, where they are known, as core.distances() gives "
            "them; the references then need not have been read.")
-      .def("gradient", &gradient, py::arg("points"),
-           "Gradient (n, 3) in 1/mm at points (n, 3), along the world's axes. NaN only where the value is; "
-           "zero where "
-           "the direction is not unique (d at the origin); infinite where it is unbounded.")
+      .def(
+          "gradients", &gradients, py::arg("points"),
+          "Gradients (n, k, 3) of the volume fractions in 1/mm at points (n, 3), along the world's axes. NaN "
+          "only where the value is; zero where the direction is not unique (d at the origin); infinite where "
+          "it is unbounded.")
       .def("bounds", &bounds, py::arg("low"), py::arg("high"), py::call_guard<py::gil_scoped_release>(),
-           "Certain bounds (low, high) of the fraction over the box between two corners; NaN where it is "
-           "defined "
-           "nowhere.")
+           "Certain bounds of all fractions but the last over the box between two corners, a list of k - 1 "
+           "low "
+           "ones and one of high ones; NaN where a fraction is defined nowhere.")
       .def("__repr__", [](const Material& material) {
         return py::str("Material({!r}, parameters={!r})")
             .format(py::cast(material.fractions()), py::cast(material.parameters()));

@@ -173,12 +173,18 @@ void def_column(py::class_<MeshingResult>& result, const char* name,
   });
 }
 
-/// Rows of four or ten; none where all solids have one material.
+py::array fractions(const py::object& self) {
+  const MeshingResult& found = self.cast<const MeshingResult&>();
+  const py::ssize_t columns = found.constituents, size = found.fractions.size();
+  return view<double>(found.fractions.data(), {size / columns, columns}, self);
+}
+
+/// Of four or ten nodes; none where all solids have one material.
 py::array tet_fractions(const py::object& self) {
   const MeshingResult& found = self.cast<const MeshingResult&>();
-  const py::ssize_t nodes = found.second_order.tets.empty() ? 4 : 10;
-  const py::ssize_t rows = found.tet_fractions.size() / nodes;
-  return view<double>(found.tet_fractions.data(), {rows, nodes}, self);
+  const py::ssize_t nodes = found.second_order.tets.empty() ? 4 : 10, columns = found.constituents;
+  const py::ssize_t rows = found.tet_fractions.size() / (nodes * columns);
+  return view<double>(found.tet_fractions.data(), {rows, nodes, columns}, self);
 }
 
 void bind_result(py::module_& module) {
@@ -194,7 +200,7 @@ void bind_result(py::module_& module) {
   def_column(result, "triangle_faces", &TetMesh::triangle_faces);
   def_table<std::int32_t>(result, "edges", &TetMesh::edges, &SecondOrderMesh::edges);
   def_column(result, "edge_edges", &TetMesh::edge_edges);
-  def_column(result, "fraction", &MeshingResult::fraction);
+  result.def_property_readonly("fractions", &fractions);
   def_column(result, "variation", &MeshingResult::variation);
   def_column(result, "dihedral_min", &MeshingResult::dihedral_min);
   def_column(result, "above_threshold", &MeshingResult::above_threshold);
@@ -222,11 +228,11 @@ void bind_result(py::module_& module) {
       .def_readonly("peak_memory_mb", &MeshingResult::peak_memory_mb)
       .def("__repr__", [](const MeshingResult& result) {
         return py::str("<MeshingResult: {} tetrahedra, {} points, {}>")
-            .format(result.mesh.tets.size(), result.fraction.size(), result.status);
+            .format(result.mesh.tets.size(), result.fractions.size() / result.constituents, result.status);
       });
 }
 
-using MeshFunction = MeshingResult(const std::string&, const std::vector<const ScalarField*>&,
+using MeshFunction = MeshingResult(const std::string&, const std::vector<const CompositionField*>&,
                                    const MeshingOptions&, RunControl&);
 
 /// A function of the pipeline as Python calls it. `options` is a copy: the Python object may change while the

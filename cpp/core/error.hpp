@@ -24,12 +24,15 @@ class InvalidInput : public Error {
 /// A formula that is not one; `position` is the offset of the offending character in its text.
 class FormulaError : public InvalidInput {
  public:
-  FormulaError(const std::string& message, std::size_t position)
-      : InvalidInput(message), position_(position) {}
+  FormulaError(const std::string& message, std::size_t position, std::size_t formula = 0)
+      : InvalidInput(message), position_(position), formula_(formula) {}
   std::size_t position() const { return position_; }
+  /// Which of several, from 0.
+  std::size_t formula() const { return formula_; }
 
  private:
   std::size_t position_;
+  std::size_t formula_;
 };
 
 /// The shape cannot be meshed: what is wrong, and on which sub-shape. Exit status 3.

@@ -7,7 +7,7 @@
 
 namespace fgmesh {
 
-/// A function of position with an exact gradient: what the mesh stages know of a material.
+/// A function of position with an exact gradient.
 /// Members are const and may be called from several threads at once.
 class ScalarField {
  public:

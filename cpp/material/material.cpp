@@ -26,16 +26,22 @@ void check_frame(const Frame& frame) {
   }
 }
 
-const std::string& only_formula(const std::vector<std::string>& fractions) {
+std::vector<FormulaProgram> programs_of(const std::vector<std::string>& fractions,
+                                        const std::map<std::string, double>& parameters,
+                                        const std::vector<Reference>& references) {
   if (fractions.empty()) {
     throw InvalidInput("a material needs a formula: the volume fraction of its first constituent");
   }
-  if (fractions.size() > 1) {
-    throw InvalidInput(
-        "materials of more than two constituents are not available yet: give one formula, not " +
-        std::to_string(fractions.size()));
+  std::vector<FormulaProgram> result;
+  for (std::size_t i = 0; i < fractions.size(); ++i) {
+    try {
+      result.push_back(parse_formula(fractions[i], parameters, references));
+    } catch (const FormulaError& error) {
+      if (fractions.size() == 1) throw;
+      throw FormulaError("formula " + std::to_string(i + 1) + ": " + error.what(), error.position(), i);
+    }
   }
-  return fractions.front();
+  return result;
 }
 
 const std::map<std::string, double>& checked(const std::map<std::string, double>& parameters) {
@@ -50,43 +56,52 @@ struct Material::State {
   std::map<std::string, double> parameters;
   Frame frame;
   std::vector<Reference> references;
-  FormulaProgram program;
+  std::vector<FormulaProgram> programs;
 };
 
 Material::Material(const std::vector<std::string>& fractions, const std::map<std::string, double>& parameters,
                    const Frame& frame, const std::vector<Reference>& references) {
   check_frame(frame);
-  FormulaProgram program = parse_formula(only_formula(fractions), checked(parameters), references);
-  state_ = std::make_unique<const State>(State{fractions, parameters, frame, references, std::move(program)});
+  std::vector<FormulaProgram> programs = programs_of(fractions, checked(parameters), references);
+  state_ =
+      std::make_unique<const State>(State{fractions, parameters, frame, references, std::move(programs)});
 }
 
 Material::Material(Material&&) noexcept = default;
 Material::~Material() = default;
 
-void Material::evaluate(const Vec3* points, std::size_t count, double* values) const {
-  state_->program.evaluate(PointVariables(state_->frame, state_->references, points), count, values);
+int Material::constituents() const { return static_cast<int>(state_->programs.size()) + 1; }
+
+void Material::evaluate(const Vec3* points, std::size_t count, double* fractions) const {
+  const PointVariables variables(state_->frame, state_->references, points);
+  for (std::size_t i = 0; i < state_->programs.size(); ++i)
+    state_->programs[i].evaluate(variables, count, fractions + i * count);
 }
 
-void Material::evaluate(const Vec3* points, std::size_t count, double* values, Vec3* gradients) const {
-  state_->program.evaluate(PointVariables(state_->frame, state_->references, points), count, values,
-                           gradients);
+void Material::evaluate(const Vec3* points, std::size_t count, double* fractions, Vec3* gradients) const {
+  const PointVariables variables(state_->frame, state_->references, points);
+  for (std::size_t i = 0; i < state_->programs.size(); ++i)
+    state_->programs[i].evaluate(variables, count, fractions + i * count, gradients + i * count);
 }
 
 void Material::evaluate_at(const Vec3* points, const double* distances, std::size_t count,
-                           double* values) const {
-  state_->program.evaluate(PointVariables(state_->frame, state_->references, points, distances), count,
-                           values);
+                           double* fractions) const {
+  const PointVariables variables(state_->frame, state_->references, points, distances);
+  for (std::size_t i = 0; i < state_->programs.size(); ++i)
+    state_->programs[i].evaluate(variables, count, fractions + i * count);
 }
 
-void Material::bounds(const Box& box, double& low, double& high) const {
-  std::vector<Interval> inputs;
-  for (const Variable variable : state_->program.variables()) {
-    inputs.push_back(variable_bounds(state_->frame, state_->references, box, variable));
+void Material::bounds(const Box& box, double* low, double* high) const {
+  for (const FormulaProgram& program : state_->programs) {
+    std::vector<Interval> inputs;
+    for (const Variable variable : program.variables()) {
+      inputs.push_back(variable_bounds(state_->frame, state_->references, box, variable));
+    }
+    const Interval result = program.bounds(inputs);
+    const bool defined = !result.is_empty();
+    *low++ = defined ? result.low : std::numeric_limits<double>::quiet_NaN();
+    *high++ = defined ? result.high : std::numeric_limits<double>::quiet_NaN();
   }
-  const Interval result = state_->program.bounds(inputs);
-  const bool defined = !result.is_empty();
-  low = defined ? result.low : std::numeric_limits<double>::quiet_NaN();
-  high = defined ? result.high : std::numeric_limits<double>::quiet_NaN();
 }
 
 const std::vector<std::string>& Material::fractions() const { return state_->fractions; }

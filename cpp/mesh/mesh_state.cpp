@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/mesh_state.hpp"
 
+#include <algorithm>
+#include <numeric>
 #include <sstream>
+#include <string>
 
 #include "core/error.hpp"
 
@@ -11,87 +14,94 @@ namespace {
 /// Positions are exact to about this, mm (FreeCAD finds the nodes of a face within it).
 constexpr double kPositionTolerance = 1e-7;
 
-[[noreturn]] void refuse_value(double value, const Vec3& p) {
+/// `is_fraction` tells which numbers a volume fraction may be.
+template <class IsFraction>
+[[noreturn]] void refuse(const Composition& fractions, const IsFraction& is_fraction, const Vec3& place) {
   std::ostringstream text;
   text.precision(10);
-  if (std::isfinite(value)) {
-    text << "the volume fraction is " << value << ", outside [0, 1],";
+  const auto wrong = std::find_if_not(fractions.begin(), fractions.end(), is_fraction);
+  const std::string which =
+      fractions.size() == 1 ? "" : " of constituent " + std::to_string(wrong - fractions.begin() + 1);
+  if (wrong == fractions.end()) {
+    text << "the volume fractions sum up to " << std::accumulate(fractions.begin(), fractions.end(), 0.0)
+         << ", more than 1,";
+  } else if (std::isfinite(*wrong)) {
+    text << "the volume fraction" << which << " is " << *wrong << ", outside [0, 1],";
   } else {
-    text << "the volume fraction is not a finite number";
+    text << "the volume fraction" << which << " is not a finite number";
   }
-  text << " at the point " << Shown{p}
-       << " of the solid; correct the formula, or bound it with clamp(..., 0, 1)";
+  text << " at the point " << Shown{place} << " of the solid; correct the formula, or bound it with "
+       << (wrong == fractions.end() ? "min(..., 1 - ...)" : "clamp(..., 0, 1)");
   throw InvalidInput(text.str());
 }
 
 }  // namespace
 
-double Vertex::value_in(int asked) const {
+const MaterialValue& Vertex::in(int material) const {
   for (const MaterialValue& other : others)
-    if (other.material == asked) return other.value;
-  return value;
+    if (other.material == material) return other;
+  return own;
 }
 
-const Vec3& Vertex::gradient_in(int asked) const {
-  for (const MaterialValue& other : others)
-    if (other.material == asked) return other.gradient;
-  return gradient;
-}
-
-bool Vertex::has(int asked) const {
-  return material == asked || std::any_of(others.begin(), others.end(), [&](const MaterialValue& other) {
-           return other.material == asked;
-         });
+bool Vertex::has(int material) const {
+  return own.material == material ||
+         std::any_of(others.begin(), others.end(),
+                     [&](const MaterialValue& other) { return other.material == material; });
 }
 
 double variation_at_interface(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& d) {
   double largest = 0.0;
   const auto look = [&](int material) {
     if (!b.has(material) || !c.has(material) || !d.has(material)) return;
-    largest = std::max(largest, composition_variation(a.value_in(material), b.value_in(material),
-                                                      c.value_in(material), d.value_in(material)));
+    largest =
+        std::max(largest, composition_variation(a.in(material).composition, b.in(material).composition,
+                                                c.in(material).composition, d.in(material).composition));
   };
-  look(a.material);
+  look(a.own.material);
   for (const MaterialValue& other : a.others) look(other.material);
   return largest;
 }
 
 bool MeshState::evaluate(const Vec3& place, const Carrier& carrier, MaterialValue& result) const {
-  double value;
-  Vec3 gradient;
-  materials_.field(result.material).evaluate(&place, 1, &value, &gradient);
-  for (int i = 0; i < 3; ++i)
-    if (!std::isfinite(gradient[i])) gradient[i] = std::copysign(1e3 / kPositionTolerance, gradient[i]);
-  const double tolerance = 1e-9 + kPositionTolerance * std::min(gradient.norm(), 1e-3 / kPositionTolerance);
-  if (!(value >= -tolerance && value <= 1.0 + tolerance)) {
+  const CompositionField& field = materials_.field(result.material);
+  const std::size_t formulas = field.constituents() - 1;
+  result.composition.resize(formulas);
+  result.gradient.resize(formulas);
+  field.evaluate(&place, 1, result.composition.data(), result.gradient.data());
+  double sum = 0.0, slope = 0.0;
+  for (std::size_t i = 0; i < formulas; ++i) {
+    Vec3& gradient = result.gradient[i];
+    for (int k = 0; k < 3; ++k)
+      if (!std::isfinite(gradient[k])) gradient[k] = std::copysign(1e3 / kPositionTolerance, gradient[k]);
+    slope += gradient.norm();
+    sum += result.composition[i];
+  }
+  const double tolerance = 1e-9 + kPositionTolerance * std::min(slope, 1e-3 / kPositionTolerance);
+  const auto is_fraction = [&](double value) { return value >= -tolerance && value <= 1.0 + tolerance; };
+  if (!std::all_of(result.composition.begin(), result.composition.end(), is_fraction) || !is_fraction(sum)) {
     // A place that is tried for an inner vertex may be beyond the boundary by less than its tolerance.
     const bool inner = carrier.dimension == 3;
     const int solid = inner && materials_.count() > 1 ? carrier.number : 0;
-    if (boundary_.contains(place, solid, !inner)) refuse_value(value, place);
-    if (!std::isfinite(value)) return false;
+    if (boundary_.contains(place, solid, !inner)) refuse(result.composition, is_fraction, place);
+    if (!std::isfinite(sum)) return false;
   }
-  result.value = std::clamp(value, 0.0, 1.0);
-  result.gradient = gradient;
+  for (double& value : result.composition) value = std::clamp(value, 0.0, 1.0);
   return true;
 }
 
 bool MeshState::evaluate(Vertex& vertex) const {
-  MaterialValue here;
+  vertex.others.clear();
   if (materials_.count() == 1) {
-    if (!evaluate(vertex.position, vertex.carrier, here)) return false;
-  } else {
-    vertex.others.clear();
-    for (int material : materials_.at(vertex.carrier)) {
-      MaterialValue& made = vertex.others.emplace_back();
-      made.material = material;
-      if (!evaluate(vertex.position, vertex.carrier, made)) return false;
-    }
-    here = vertex.others.front();
-    vertex.others.erase(vertex.others.begin());
+    vertex.own.material = 0;
+    return evaluate(vertex.position, vertex.carrier, vertex.own);
   }
-  vertex.material = here.material;
-  vertex.value = here.value;
-  vertex.gradient = here.gradient;
+  bool first = true;
+  for (int material : materials_.at(vertex.carrier)) {
+    MaterialValue& made = first ? vertex.own : vertex.others.emplace_back();
+    made.material = material;
+    if (!evaluate(vertex.position, vertex.carrier, made)) return false;
+    first = false;
+  }
   return true;
 }
 

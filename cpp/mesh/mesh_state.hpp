@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "core/boundary_geometry.hpp"
-#include "core/scalar_field.hpp"
+#include "core/composition.hpp"
+#include "core/composition_field.hpp"
 #include "core/tet_mesh.hpp"
 #include "mesh/solid_materials.hpp"
 #include "mesh/tet_complex.hpp"
@@ -15,11 +16,11 @@
 
 namespace fgmesh {
 
-/// f at a place, in one of the materials that meet there.
+/// The composition at a place, in one of the materials that meet there.
 struct MaterialValue {
   int material = 0;
-  double value = 0.0;            ///< clamped to [0, 1]
-  Vec3 gradient = Vec3::Zero();  ///< 1/mm; finite
+  Composition composition;       ///< fractions clamped to [0, 1]
+  CompositionGradient gradient;  ///< 1/mm; finite
 };
 
 /// A vertex of the mesh in progress, with all that is worth remembering about its place.
@@ -28,10 +29,8 @@ struct Vertex {
   Carrier carrier;
   std::array<double, 2> parameter{};  ///< (u, v) on its face, or (t, -) on its edge
   Vec3 direction = Vec3::Zero();      ///< unit normal of its face, or tangent of its edge
-  double value = 0.0;                 ///< f, clamped to [0, 1]; on an interface in the lowest solid
-  Vec3 gradient = Vec3::Zero();       ///< of f, 1/mm; finite
-  int material = 0;                   ///< which `value` and `gradient` are of
-  std::vector<MaterialValue> others;  ///< on an interface: f in the other materials that meet there
+  MaterialValue own;                  ///< on an interface that in the lowest solid
+  std::vector<MaterialValue> others;  ///< on an interface: those in the other materials that meet there
   double size = 0.0;                  ///< mu, mm: see SizingField
   bool frozen = false;                ///< M-vertex: the geometry-oriented refinement leaves it in place
 
@@ -41,20 +40,19 @@ struct Vertex {
   /// A vertex of the shape, or like one: moved it would take edges off their curves.
   bool is_fixed() const { return carrier.dimension == 0 || junction; }
 
-  /// f in a material that the vertex has.
-  double value_in(int asked) const;
-  const Vec3& gradient_in(int asked) const;
-  bool has(int asked) const;
+  /// The value in a material, which the vertex must have.
+  const MaterialValue& in(int material) const;
+  bool has(int material) const;
 };
 
 /// variation() of a tetrahedron at an interface.
 double variation_at_interface(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& d);
 
-/// Variation of f in a tetrahedron: in the material that its vertices have in common, and in the worst of
-/// them where they have several (all four on one interface).
+/// Variation of the composition in a tetrahedron: in the material that its vertices have in common, and in
+/// the worst of them where they have several (all four on one interface).
 inline double variation(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& d) {
   if (a.others.empty() && b.others.empty() && c.others.empty() && d.others.empty())
-    return composition_variation(a.value, b.value, c.value, d.value);
+    return composition_variation(a.own.composition, b.own.composition, c.own.composition, d.own.composition);
   return variation_at_interface(a, b, c, d);
 }
 
@@ -65,7 +63,8 @@ class MeshState {
   MeshState(const BoundaryGeometry& boundary, SolidMaterials materials, double threshold, double diagonal)
       : boundary_(boundary), materials_(std::move(materials)), threshold_(threshold), diagonal_(diagonal) {}
   /// One material for all solids.
-  MeshState(const BoundaryGeometry& boundary, const ScalarField& field, double threshold, double diagonal)
+  MeshState(const BoundaryGeometry& boundary, const CompositionField& field, double threshold,
+            double diagonal)
       : MeshState(boundary, SolidMaterials(field), threshold, diagonal) {}
 
   TetComplex complex;

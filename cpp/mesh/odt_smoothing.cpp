@@ -93,9 +93,9 @@ double flatness(const MeshState& state, int v, const Vec3& p, const std::vector<
 
 void update_sizes(MeshState& state, const SizingField& sizing) {
   for (Vertex& vertex : state.vertices) {
-    vertex.size = sizing.at(vertex.gradient);
+    vertex.size = sizing.at(steepest(vertex.own.gradient));
     for (const MaterialValue& other : vertex.others)
-      vertex.size = std::min(vertex.size, sizing.at(other.gradient));
+      vertex.size = std::min(vertex.size, sizing.at(steepest(other.gradient)));
   }
   limit_growth(state, sizing.growth);
 }

@@ -24,9 +24,9 @@ const std::vector<int>& list_of(const std::array<Lists, 4>& lists, const Carrier
 
 }  // namespace
 
-SolidMaterials::SolidMaterials(const std::vector<const ScalarField*>& fields,
+SolidMaterials::SolidMaterials(const std::vector<const CompositionField*>& fields,
                                const SampledBoundary& samples) {
-  for (const ScalarField* field : fields) {
+  for (const CompositionField* field : fields) {
     const auto known = std::find(fields_.begin(), fields_.end(), field);
     of_solid_.push_back(static_cast<int>(known - fields_.begin()));
     if (known == fields_.end()) fields_.push_back(field);

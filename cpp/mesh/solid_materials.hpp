@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/boundary_geometry.hpp"
-#include "core/scalar_field.hpp"
+#include "core/composition_field.hpp"
 #include "core/tet_mesh.hpp"
 
 namespace fgmesh {
@@ -15,13 +15,13 @@ namespace fgmesh {
 class SolidMaterials {
  public:
   /// One for all solids.
-  explicit SolidMaterials(const ScalarField& field) : fields_{&field} {}
+  explicit SolidMaterials(const CompositionField& field) : fields_{&field} {}
 
   /// `fields` holds that of SolidN at n - 1.
-  SolidMaterials(const std::vector<const ScalarField*>& fields, const SampledBoundary& samples);
+  SolidMaterials(const std::vector<const CompositionField*>& fields, const SampledBoundary& samples);
 
   int count() const { return static_cast<int>(fields_.size()); }
-  const ScalarField& field(int material) const { return *fields_[material]; }
+  const CompositionField& field(int material) const { return *fields_[material]; }
   int of_solid(int solid) const { return count() == 1 ? 0 : of_solid_[solid - 1]; }
 
   /// The materials that meet at a part of the shape, that of the lowest solid first.
@@ -30,7 +30,7 @@ class SolidMaterials {
   const std::vector<int>& solids_at(const Carrier& carrier) const;
 
  private:
-  std::vector<const ScalarField*> fields_;
+  std::vector<const CompositionField*> fields_;
   std::vector<int> of_solid_;
   // Of each carrier, by its dimension and its number.
   std::array<std::vector<std::vector<int>>, 4> solids_, materials_;

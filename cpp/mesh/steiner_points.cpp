@@ -6,8 +6,8 @@
 namespace fgmesh {
 namespace {
 
-/// The edge of tetrahedron t along which f varies most and can be split: not across a jump, not below
-/// min_size. Its two vertices, or {-1, -1}.
+/// The edge of tetrahedron t along which the composition varies most and can be split: not across a jump, not
+/// below min_size. Its two vertices, or {-1, -1}.
 std::array<int, 2> steepest_edge(const MeshState& state, int t, double min_size) {
   const std::array<int, 4>& v = state.complex.tet(t).vertex;
   const int material = state.material(t);
@@ -16,17 +16,18 @@ std::array<int, 2> steepest_edge(const MeshState& state, int t, double min_size)
   for (const auto& edge : kEdgeVertices) {
     const Vertex &a = state.vertices[v[edge[0]]], &b = state.vertices[v[edge[1]]];
     const Vec3 way = b.position - a.position;
-    const double length = way.norm(), difference = std::abs(b.value_in(material) - a.value_in(material));
-    if (difference <= largest || length < 2.0 * min_size) continue;
-    if (difference > state.threshold()) {
+    const MaterialValue &at_a = a.in(material), &at_b = b.in(material);
+    const double length = way.norm(), change = difference(at_a.composition, at_b.composition);
+    if (change <= largest || length < 2.0 * min_size) continue;
+    if (change > state.threshold()) {
       const double foretold =
-          std::max(std::abs(a.gradient_in(material).dot(way)), std::abs(b.gradient_in(material).dot(way)));
+          std::max(magnitude(change_along(at_a.gradient, way)), magnitude(change_along(at_b.gradient, way)));
       // Far more than the gradient foretells: a jump, or a steep layer between the two.
-      if (difference > 3.0 * foretold + 0.5 * state.threshold() &&
+      if (change > 3.0 * foretold + 0.5 * state.threshold() &&
           jumps_between(state.materials().field(material), a.position, b.position, state.threshold()))
         continue;
     }
-    largest = difference;
+    largest = change;
     best = {v[edge[0]], v[edge[1]]};
   }
   return best;
@@ -98,23 +99,25 @@ int count_above(const MeshState& state, double limit) {
   return count;
 }
 
-bool jumps_between(const ScalarField& field, Vec3 p, Vec3 q, double threshold) {
+bool jumps_between(const CompositionField& field, Vec3 p, Vec3 q, double threshold) {
   constexpr int kHalvings = 30;
-  double values[2];
-  const Vec3 ends[2] = {p, q};
-  field.evaluate(ends, 2, values);
+  const auto at = [&](const Vec3& place) {
+    Composition result(field.constituents() - 1);
+    field.evaluate(&place, 1, result.data());
+    return result;
+  };
+  Composition at_p = at(p), at_q = at(q);
   for (int i = 0; i < kHalvings; ++i) {
     const Vec3 middle = 0.5 * (p + q);
-    double value;
-    field.evaluate(&middle, 1, &value);
-    if (std::abs(value - values[0]) > std::abs(values[1] - value)) {
+    const Composition between = at(middle);
+    if (difference(between, at_p) > difference(between, at_q)) {
       q = middle;
-      values[1] = value;
+      at_q = between;
     } else {
       p = middle;
-      values[0] = value;
+      at_p = between;
     }
-    if (!(std::abs(values[1] - values[0]) > threshold)) return false;
+    if (!(difference(at_p, at_q) > threshold)) return false;
   }
   return true;
 }

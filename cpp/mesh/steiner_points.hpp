@@ -18,7 +18,7 @@ int insert_steiner_points(MeshState& state, double limit, double min_size, std::
 
 /// True where f jumps by more than `threshold` somewhere between p and q: no refinement brings the variation
 /// below it there. Told by bisection.
-bool jumps_between(const ScalarField& field, Vec3 p, Vec3 q, double threshold);
+bool jumps_between(const CompositionField& field, Vec3 p, Vec3 q, double threshold);
 
 /// How many tetrahedra vary by more than `limit`.
 int count_above(const MeshState& state, double limit);

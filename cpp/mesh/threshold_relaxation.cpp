@@ -9,6 +9,21 @@ struct Request {
   int count = 0;
 };
 
+/// The two vertices between which the composition differs most.
+std::array<int, 2> farthest_apart(const MeshState& state, const Tet& tet, int material) {
+  std::array<int, 2> result{};
+  double largest = -1.0;
+  for (const auto& [i, j] : kEdgeVertices) {
+    const int a = tet.vertex[i], b = tet.vertex[j];
+    const double apart =
+        difference(state.vertices[a].in(material).composition, state.vertices[b].in(material).composition);
+    if (apart <= largest) continue;
+    largest = apart;
+    result = {a, b};
+  }
+  return result;
+}
+
 std::vector<Request> gather(const MeshState& state, double aim, int& above) {
   std::vector<Request> requests(state.vertices.size());
   above = 0;
@@ -16,19 +31,19 @@ std::vector<Request> gather(const MeshState& state, double aim, int& above) {
     const Tet& tet = state.complex.tet(t);
     if (!tet.alive()) continue;
     const int material = state.material(t);
-    const auto value = [&](int v) { return state.vertices[v].value_in(material); };
-    const auto [low, high] = std::minmax_element(tet.vertex.begin(), tet.vertex.end(),
-                                                 [&](int a, int b) { return value(a) < value(b); });
-    const double variation = value(*high) - value(*low);
+    const auto [a, b] = farthest_apart(state, tet, material);
+    const Composition &from = state.vertices[a].in(material).composition,
+                      &to = state.vertices[b].in(material).composition;
+    const double variation = difference(from, to);
     if (variation > state.threshold()) ++above;
     if (variation <= aim) continue;
-    for (const int v : {*low, *high}) {
-      const Vec3& gradient = state.vertices[v].gradient_in(material);
+    for (const int v : {a, b}) {
+      const Vec3 gradient = gradient_towards(state.vertices[v].in(material).gradient, from, to);
       const double slope = gradient.norm();
       if (!(slope > 0.0)) continue;
-      const double longest = 0.2 * (state.position(*high) - state.position(*low)).norm();
+      const double longest = 0.2 * (state.position(b) - state.position(a)).norm();
       const double step = std::min(longest, 0.5 * (variation - aim) / slope);
-      requests[v].way += (v == *low ? step : -step) / slope * gradient;
+      requests[v].way += (v == a ? step : -step) / slope * gradient;
       ++requests[v].count;
     }
   }

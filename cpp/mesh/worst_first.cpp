@@ -17,6 +17,12 @@ constexpr double kClearly = 0.01;
 constexpr std::size_t kFew = 50;
 constexpr double kHopeless = 0.95;
 
+/// Moves the value by `step`, to first order.
+void foretell(MaterialValue& value, const Vec3& step) {
+  for (std::size_t i = 0; i < value.composition.size(); ++i)
+    value.composition[i] += value.gradient[i].dot(step);
+}
+
 }  // namespace
 
 std::vector<int> WorstFirst::bad_tets(double least) const {
@@ -64,8 +70,8 @@ bool WorstFirst::is_promising(int v, const Vec3& way, double best) const {
   const Vec3 along = direction.dot(way) * direction;
   const Vec3 step = moved.carrier.dimension == 1 ? along : Vec3(way - along);
   moved.position += step;
-  moved.value += moved.gradient.dot(step);
-  for (MaterialValue& other : moved.others) other.value += other.gradient.dot(step);
+  foretell(moved.own, step);
+  for (MaterialValue& other : moved.others) foretell(other, step);
   return star_score(v, moved, best) > best;
 }
 
@@ -94,7 +100,7 @@ bool WorstFirst::improve_vertex(int v) {
       -area_vector(state_.position(worst.vertex[base[0]]), state_.position(worst.vertex[base[1]]),
                    state_.position(worst.vertex[base[2]]))
            .normalized();
-  const Vec3 gradient = state_.vertices[v].gradient.normalized();
+  const Vec3 gradient = steepest(state_.vertices[v].own.gradient).normalized();
   const Vec3 centre = odt_target(state_, v, star_) - state_.position(v);
 
   bool improved = false;

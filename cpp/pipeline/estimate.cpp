@@ -33,7 +33,7 @@ double memory_mb(const std::string& shape, const SampledBoundary& samples, doubl
 
 }  // namespace
 
-MeshEstimate estimate_mesh(const std::string& shape, const std::vector<const ScalarField*>& materials,
+MeshEstimate estimate_mesh(const std::string& shape, const std::vector<const CompositionField*>& materials,
                            const MeshingOptions& asked, RunControl& control) {
   MeshingStart start(shape, materials, asked, control);
   const MeshingOptions& options = start.options;

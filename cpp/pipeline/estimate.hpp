@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "core/composition_field.hpp"
 #include "core/run_control.hpp"
-#include "core/scalar_field.hpp"
 #include "pipeline/meshing_options.hpp"
 
 namespace fgmesh {
@@ -18,7 +18,7 @@ struct MeshEstimate {
 /// What generate_mesh() is to give for these arguments, without doing it: the shape is read and its initial
 /// mesh made, then the density that material and surface deviation want is summed up over that mesh.
 /// Throws what generate_mesh() throws up to there.
-MeshEstimate estimate_mesh(const std::string& shape, const std::vector<const ScalarField*>& materials,
+MeshEstimate estimate_mesh(const std::string& shape, const std::vector<const CompositionField*>& materials,
                            const MeshingOptions& options, RunControl& control);
 
 }  // namespace fgmesh

@@ -26,10 +26,10 @@ double cube(double x) { return x * x * x; }
 /// What is known at a corner of a piece.
 struct Corner {
   Vec3 place = Vec3::Zero();
-  double value = 0.0;      ///< f; NaN where it is not defined
-  double slope = 0.0;      ///< |grad f|, 1/mm
-  double initial = 0.0;    ///< size that the initial mesh is to have, mm; infinite where it has it
-  double deviation = 0.0;  ///< size that the surface deviation asks for, mm
+  Composition composition;  ///< NaN where it is not defined
+  double slope = 0.0;       ///< |grad f|, 1/mm
+  double initial = 0.0;     ///< size that the initial mesh is to have, mm; infinite where it has it
+  double deviation = 0.0;   ///< size that the surface deviation asks for, mm
 };
 
 /// A part of a tetrahedron of the initial mesh.
@@ -83,8 +83,7 @@ class Division {
       const Vertex& vertex = state_.vertices[tet.vertex[i]];
       Corner& corner = piece.corner[i];
       corner.place = vertex.position;
-      corner.value = vertex.value_in(piece.material);
-      corner.slope = vertex.gradient_in(piece.material).norm();
+      put_material(vertex.in(piece.material), corner);
       put_sizes(corner);
     }
     const auto& [a, b, c, d] = piece.corner;
@@ -99,6 +98,11 @@ class Division {
     return piece;
   }
 
+  static void put_material(const MaterialValue& found, Corner& corner) {
+    corner.composition = found.composition;
+    corner.slope = steepest(found.gradient).norm();
+  }
+
   void put_sizes(Corner& corner) const {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     corner.initial = wanted_.max_size > 0.0 ? wanted_.initial.at(corner.place, wanted_.max_size) : kInfinity;
@@ -111,10 +115,9 @@ class Division {
     MaterialValue found;
     found.material = piece.material;
     if (state_.evaluate(place, {3, piece.solid}, found)) {
-      corner.value = found.value;
-      corner.slope = found.gradient.norm();
+      put_material(found, corner);
     } else {
-      corner.value = std::numeric_limits<double>::quiet_NaN();
+      corner.composition.assign(found.composition.size(), std::numeric_limits<double>::quiet_NaN());
     }
     put_sizes(corner);
     return corner;
@@ -142,17 +145,17 @@ class Division {
   /// A slope that f has between the corners and not at them, as in a steep layer. A jump is none: no
   /// tetrahedra are spent on it.
   double hidden_slope(const Piece& piece) const {
-    double steepest = 0.0;
+    double highest = 0.0;
     for (const auto& [i, j] : kEdgeVertices) {
       const Corner &a = piece.corner[i], &b = piece.corner[j];
-      const double difference = std::abs(a.value - b.value), length = (a.place - b.place).norm();
+      const double change = difference(a.composition, b.composition), length = (a.place - b.place).norm();
       const double foretold = std::max(a.slope, b.slope) * length;
-      if (!(difference > wanted_.threshold) || difference <= 3.0 * foretold + 0.5 * wanted_.threshold ||
+      if (!(change > wanted_.threshold) || change <= 3.0 * foretold + 0.5 * wanted_.threshold ||
           jumps_between(state_.materials().field(piece.material), a.place, b.place, wanted_.threshold))
         continue;
-      steepest = std::max(steepest, difference / length);
+      highest = std::max(highest, change / length);
     }
-    return steepest;
+    return highest;
   }
 
   /// Where elements of this size are thicker than a wall, what counts is how many triangles cover it.

@@ -25,12 +25,9 @@ namespace {
 
 /// The fractions at the corners of the tetrahedra, and what follows from them.
 void put_fractions(const NodeFractions& fractions, double threshold, MeshingResult& result) {
-  result.fraction = fractions.at_points();
-  std::vector<std::array<double, 4>> corners;
-  corners.reserve(result.mesh.tets.size());
-  for (std::size_t t = 0; t < result.mesh.tets.size(); ++t)
-    corners.push_back(fractions.at_tet(result.mesh.tets[t], t));
-  result.variation = variations(corners);
+  result.constituents = fractions.columns();
+  result.fractions = fractions.at_points();
+  result.variation = fractions.variations(result.mesh.tets);
   result.above_threshold.clear();
   for (std::size_t t = 0; t < result.variation.size(); ++t)
     if (result.variation[t] > threshold) result.above_threshold.push_back(static_cast<std::int32_t>(t));
@@ -62,15 +59,7 @@ void raise_order(const MeshState& state, NodeFractions& fractions, MeshingResult
   control.begin_stage("second order");
   result.second_order = make_second_order(result.mesh, state.boundary(), control);
   fractions.add_middle_nodes(state, result.second_order, control);
-  result.fraction = fractions.at_points();
-}
-
-void put_tet_fractions(const NodeFractions& fractions, MeshingResult& result) {
-  const auto put = [&](const auto& tets) {
-    for (std::size_t t = 0; t < tets.size(); ++t)
-      for (double value : fractions.at_tet(tets[t], t)) result.tet_fractions.push_back(value);
-  };
-  result.second_order.tets.empty() ? put(result.mesh.tets) : put(result.second_order.tets);
+  result.fractions = fractions.at_points();
 }
 
 /// Integral of |grad f|^3 over the mesh, by its value at the centroids.
@@ -80,11 +69,14 @@ double gradient_cubed(const TetMesh& mesh, const SolidMaterials& materials) {
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
     const auto& [a, b, c, d] = mesh.tets[t];
     const Vec3 centre = (mesh.points[a] + mesh.points[b] + mesh.points[c] + mesh.points[d]) / 4.0;
-    double value;
-    Vec3 gradient;
-    materials.field(materials.of_solid(mesh.tet_solids[t])).evaluate(&centre, 1, &value, &gradient);
-    const double slope = gradient.norm();
-    if (std::isfinite(slope)) sum += slope * slope * slope * volumes[t];
+    const CompositionField& field = materials.field(materials.of_solid(mesh.tet_solids[t]));
+    Composition fractions(field.constituents() - 1);
+    CompositionGradient gradient(fractions.size());
+    field.evaluate(&centre, 1, fractions.data(), gradient.data());
+    const bool finite =
+        std::all_of(gradient.begin(), gradient.end(), [](const Vec3& part) { return part.allFinite(); });
+    const double slope = finite ? steepest(gradient).norm() : 0.0;
+    sum += slope * slope * slope * volumes[t];
   }
   return sum;
 }
@@ -178,7 +170,7 @@ double refine_to_volume(MeshState& state, GeometryRefinementOptions refinement, 
 
 }  // namespace
 
-MeshingResult generate_mesh(const std::string& shape, const std::vector<const ScalarField*>& given,
+MeshingResult generate_mesh(const std::string& shape, const std::vector<const CompositionField*>& given,
                             const MeshingOptions& asked, RunControl& control) {
   MeshingStart start(shape, given, asked, control);
   BrepModel& model = start.model;
@@ -208,7 +200,9 @@ MeshingResult generate_mesh(const std::string& shape, const std::vector<const Sc
     });
   }
   if (options.order == 2) raise_order(state, fractions, result, control);
-  if (state.materials().count() > 1) put_tet_fractions(fractions, result);
+  if (state.materials().count() > 1)
+    result.tet_fractions = options.order == 2 ? fractions.at_tets(result.second_order.tets)
+                                              : fractions.at_tets(result.mesh.tets);
   finish(result, model, start.samples, bridged, state.materials(), options);
   put_volumes(model, result);
   use_given_numbers(result, model.origins());

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/composition_field.hpp"
 #include "core/run_control.hpp"
-#include "core/scalar_field.hpp"
 #include "core/second_order_mesh.hpp"
 #include "core/stage_report.hpp"
 #include "core/tet_mesh.hpp"
@@ -21,10 +21,13 @@ struct MeshingResult {
   /// Where faces of the shape coincide, their triangles carry the lowest FaceN. Each row here is such a
   /// triangle and a further FaceN that it lies on.
   std::vector<std::array<std::int32_t, 2>> coincident_faces;
-  /// Of the first constituent at each point, clamped to [0, 1]; on an interface that of the lowest solid.
-  std::vector<double> fraction;
-  /// The same at the nodes of each tetrahedron, in its own material, row by row. Empty where all solids have
-  /// one material.
+  /// Of the material that has most; columns of the fractions.
+  int constituents = 2;
+  /// Volume fraction of each constituent at each point, row by row, clamped to [0, 1]; on an interface that
+  /// of the lowest solid; zeros at the end of the row where its material has fewer constituents.
+  std::vector<double> fractions;
+  /// The same at the nodes of each tetrahedron, in its own material. Empty where all solids have one
+  /// material.
   std::vector<double> tet_fractions;
   std::vector<double> variation;     ///< of each tetrahedron
   std::vector<double> dihedral_min;  ///< smallest dihedral angle of each tetrahedron, degrees
@@ -42,7 +45,8 @@ struct MeshingResult {
   std::vector<std::int32_t> forced_angles, small_angles;
   double angle_goal = 0.0;  ///< degrees
 
-  /// eta = N delta_0^3 / integral of |grad f|^3; 0 where the gradient vanishes everywhere.
+  /// eta = N delta_0^3 / integral of |grad f|^3, the gradient of the composition; 0 where the gradient
+  /// vanishes everywhere.
   double element_ratio = 0.0;
   /// Largest distance of a facet's centre to the true boundary, mm; of the curved facet where order is 2.
   double deviation_max = 0.0;
@@ -67,11 +71,11 @@ struct MeshingResult {
 /// `shape` is the text of a BREP or STEP file. Throws InvalidInput for what cannot be read, for options out
 /// of range, for another number of materials and for one outside [0, 1]; GeometryError for a shape that is no
 /// valid solid; Cancelled.
-MeshingResult generate_mesh(const std::string& shape, const std::vector<const ScalarField*>& materials,
+MeshingResult generate_mesh(const std::string& shape, const std::vector<const CompositionField*>& materials,
                             const MeshingOptions& options, RunControl& control);
-inline MeshingResult generate_mesh(const std::string& shape, const ScalarField& material,
+inline MeshingResult generate_mesh(const std::string& shape, const CompositionField& material,
                                    const MeshingOptions& options, RunControl& control) {
-  return generate_mesh(shape, std::vector<const ScalarField*>{&material}, options, control);
+  return generate_mesh(shape, std::vector<const CompositionField*>{&material}, options, control);
 }
 
 }  // namespace fgmesh

@@ -34,14 +34,14 @@ MeshingOptions resolved(MeshingOptions options, double diagonal) {
 }
 
 /// The material of each solid that is meshed.
-SolidMaterials materials_of(const std::vector<const ScalarField*>& given, const BrepModel& model,
+SolidMaterials materials_of(const std::vector<const CompositionField*>& given, const BrepModel& model,
                             const SampledBoundary& samples) {
   if (given.size() == 1) return SolidMaterials(*given.front());
   if (static_cast<int>(given.size()) != model.given_solid_count())
     throw InvalidInput("there are " + std::to_string(given.size()) + " materials for " +
                        std::to_string(model.given_solid_count()) +
                        " solids: give one for all, or one for each solid");
-  std::vector<const ScalarField*> fields;
+  std::vector<const CompositionField*> fields;
   for (int solid = 1; solid <= model.solid_count(); ++solid)
     fields.push_back(given[model.given_solid(solid) - 1]);
   return SolidMaterials(fields, samples);
@@ -49,7 +49,7 @@ SolidMaterials materials_of(const std::vector<const ScalarField*>& given, const 
 
 }  // namespace
 
-MeshingStart::MeshingStart(const std::string& shape, const std::vector<const ScalarField*>& materials,
+MeshingStart::MeshingStart(const std::string& shape, const std::vector<const CompositionField*>& materials,
                            const MeshingOptions& asked, RunControl& control)
     : model(read(shape, asked, control)),
       samples(model.sample({}, control)),

@@ -15,7 +15,7 @@ namespace fgmesh {
 /// every default put in, and a mesh in progress that is empty yet.
 struct MeshingStart {
   /// Arguments and errors are those of generate_mesh().
-  MeshingStart(const std::string& shape, const std::vector<const ScalarField*>& materials,
+  MeshingStart(const std::string& shape, const std::vector<const CompositionField*>& materials,
                const MeshingOptions& asked, RunControl& control);
   MeshingStart(const MeshingStart&) = delete;  // `state` knows `model` by its address
 

@@ -9,7 +9,7 @@
 
 namespace fgmesh {
 
-std::string describe_misses(const MeshingResult& result, const ScalarField& field,
+std::string describe_misses(const MeshingResult& result, const CompositionField& field,
                             const MeshingOptions& options) {
   const auto worst =
       std::max_element(result.variation.begin(), result.variation.end()) - result.variation.begin();

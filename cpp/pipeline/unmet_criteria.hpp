@@ -3,14 +3,14 @@
 
 #include <string>
 
-#include "core/scalar_field.hpp"
+#include "core/composition_field.hpp"
 #include "pipeline/generate_mesh.hpp"
 
 namespace fgmesh {
 
 /// How many tetrahedra miss the threshold, where the worst is, and what may be done. `field` is the material
 /// of the worst one's solid.
-std::string describe_misses(const MeshingResult& result, const ScalarField& field,
+std::string describe_misses(const MeshingResult& result, const CompositionField& field,
                             const MeshingOptions& options);
 
 /// How many edges could not follow the true boundary, where, and what may be done.

@@ -21,21 +21,6 @@ Histogram empty_histogram(double low, double high, std::size_t bins) {
 
 }  // namespace
 
-std::vector<double> variations(const TetMesh& mesh, const std::vector<double>& fraction) {
-  std::vector<double> result;
-  result.reserve(mesh.tets.size());
-  for (const auto& [a, b, c, d] : mesh.tets)
-    result.push_back(composition_variation(fraction[a], fraction[b], fraction[c], fraction[d]));
-  return result;
-}
-
-std::vector<double> variations(const std::vector<std::array<double, 4>>& corner_fractions) {
-  std::vector<double> result;
-  result.reserve(corner_fractions.size());
-  for (const auto& [a, b, c, d] : corner_fractions) result.push_back(composition_variation(a, b, c, d));
-  return result;
-}
-
 std::vector<double> smallest_dihedrals(const TetMesh& mesh) {
   std::vector<double> result;
   result.reserve(mesh.tets.size());

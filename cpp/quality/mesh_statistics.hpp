@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 
@@ -9,12 +8,6 @@
 #include "core/tet_mesh.hpp"
 
 namespace fgmesh {
-
-/// Material composition variation of each tetrahedron from the fraction at each point.
-std::vector<double> variations(const TetMesh& mesh, const std::vector<double>& fraction);
-
-/// The same from the fractions at the four corners of each tetrahedron.
-std::vector<double> variations(const std::vector<std::array<double, 4>>& corner_fractions);
 
 /// Smallest dihedral angle of each tetrahedron, degrees.
 std::vector<double> smallest_dihedrals(const TetMesh& mesh);

@@ -44,9 +44,4 @@ struct AngleRange {
 };
 AngleRange dihedral_range(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
-/// Material composition variation delta(T) over the vertices (paper, equation 2.2) for two constituents.
-inline double composition_variation(double a, double b, double c, double d) {
-  return std::max(std::max(a, b), std::max(c, d)) - std::min(std::min(a, b), std::min(c, d));
-}
-
 }  // namespace fgmesh

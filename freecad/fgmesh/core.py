@@ -14,7 +14,7 @@ and the exceptions are those of the C++ side; `help()` of each tells its fields.
 was built with.
 
 Errors: every error raised on purpose is an `Error`: `InvalidInput` (an option, a file or a material that has
-no meaning; also a ValueError), `FormulaError` (an InvalidInput; `position` is the offset in the formula, in
+no meaning; also a ValueError), `FormulaError` (an InvalidInput; `formula` is the index of the formula, `position` the offset in it, in
 bytes of UTF-8; `caret_excerpt` shows the place), `GeometryError` (the shape cannot be meshed), `Cancelled`
 (stopped by `RunControl` or by its limits).
 """
@@ -71,12 +71,13 @@ class MeshingResult:
     """What `generate_mesh` gives. The arrays are read-only; their memory lives as long as any of them.
 
     points (n, 3) float64, mm; carriers (n, 2) int32: dimension (0 vertex ... 3 solid) and 1-based number of
-    the B-Rep entity that carries each point, one point for each vertex; fraction (n,): of the first constituent,
-    on an interface of solids with different materials that in the solid with the lower number.
+    the B-Rep entity that carries each point, one point for each vertex; fractions (n, k): of all constituents, k those
+    of the material that has most, and zeros behind where one has fewer; on an interface of solids with different
+    materials those in the solid with the lower number.
     tets (m, 4) int32, positively oriented (VTK order), or (m, 10) where options.order is 2: points and rows
     then begin as they would without, with the nodes in the middle of edges behind the corners; tet_solids (m,): N of SolidN; variation (m,);
     dihedral_min (m,), degrees; both of the corners; above_threshold: indices of the tetrahedra above the
-    material threshold; tet_fractions (m, 4 or 10): the fraction at the nodes of each tetrahedron, in the
+    material threshold; tet_fractions (m, 4 or 10, k): those at the nodes of each tetrahedron, in the
     material of its own solid. forced_angles, small_angles: indices of the tetrahedra with a dihedral angle below
     angle_goal (degrees), of those where the shape forces it (at an edge whose faces, or a vertex where two edges
     of a face meet below angle_goal, or across a wall thinner than min_size) and of all others.
@@ -110,7 +111,7 @@ class MeshingResult:
     @property
     def tet_fractions(self):
         stored = self._result.tet_fractions  # empty where the points tell all
-        return stored if len(stored) else self.fraction[self.tets]
+        return stored if len(stored) else self.fractions[self.tets]
 
     def report(self):
         """As `core.report`."""

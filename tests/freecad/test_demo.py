@@ -117,7 +117,7 @@ def test_case_study(name, source_dir, fgmesh):
         corners = result.points[result.tets]
         volume = np.linalg.det(corners[:, 1:] - corners[:, :1]).sum() / 6
         assert volume == pytest.approx(EXACT_VOLUME[name], rel=2e-3)
-        assert result.fraction == pytest.approx(FORMULA[name](*result.points.T), abs=1e-9)
+        assert result.fractions[:, 0] == pytest.approx(FORMULA[name](*result.points.T), abs=1e-9)
     finally:
         FreeCAD.closeDocument(mesh.Document.Name)
 

@@ -29,7 +29,7 @@ def fractions_at(cylinder, name, points, frame=None, references=()):
     texts = {name: repr(value) for name, value in parameters.items()}
     draft = MaterialDraft([], [grading.formula], texts, frame, list(references))
     placed = [tuple(cylinder.Placement.multVec(FreeCAD.Vector(*point))) for point in points]
-    return core.read_references(draft.material(cylinder)).evaluate(placed)
+    return core.read_references(draft.material(cylinder)).evaluate(placed)[:, 0]
 
 
 BOTTOM, MIDDLE, TOP = (0, 0, 0), (0, 0, 15), (0, 0, 30)

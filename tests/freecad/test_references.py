@@ -35,7 +35,7 @@ def value(solid, own_point):
 
     return core.read_references(material_of(solid)).evaluate(
         [solid.Placement.multVec(FreeCAD.Vector(*own_point))]
-    )[0]
+    )[0, 0]
 
 
 def test_from_face_to_face(from_end_to_end):
@@ -165,7 +165,7 @@ def test_a_link_measures_to_its_own_faces(box, document, fgmesh, core):
     document.recompute()
     inside = FreeCAD.Vector(3, 7, 11)
     values = [
-        core.read_references(material_of(thing)).evaluate([tuple(thing.Placement.multVec(inside))])[0]
+        core.read_references(material_of(thing)).evaluate([tuple(thing.Placement.multVec(inside))])[0, 0]
         for thing in (box, link)
     ]
     assert values[0] == pytest.approx(0.15, abs=1e-9) or values[0] == pytest.approx(0.35, abs=1e-9)

@@ -62,7 +62,7 @@ def test_a_material_of_the_compound_holds_for_all(fgmesh, document, compound, pl
     mesh, result = meshed(fgmesh, document, compound)
     assert mesh.Status == "ok"
     local = local_points(result, placement)
-    assert np.allclose(result.tet_fractions, (local[..., 0] + SIDE) / 20, atol=1e-9)
+    assert np.allclose(result.tet_fractions[..., 0], (local[..., 0] + SIDE) / 20, atol=1e-9)
     assert result.solid_volumes == pytest.approx([SIDE**3] * 2)
 
 
@@ -76,8 +76,8 @@ def test_materials_of_the_parts_move_with_them_and_jump_between_them(
     height = local_points(result, placement)[..., 2] / (2 * SIDE)
     left = result.tet_solids == 1
     assert left.any() and not left.all()
-    assert np.allclose(result.tet_fractions[left], height[left], atol=1e-9)
-    assert np.allclose(result.tet_fractions[~left], 1 - height[~left], atol=1e-9)
+    assert np.allclose(result.tet_fractions[left, :, 0], height[left], atol=1e-9)
+    assert np.allclose(result.tet_fractions[~left, :, 0], 1 - height[~left], atol=1e-9)
     assert np.ptp(result.tet_fractions, axis=1).max() <= 0.1
     # Both names find the interface.
     groups = {
@@ -111,7 +111,7 @@ def test_fragments_take_the_material_of_what_they_are_pieces_of(fgmesh, document
     clear = abs(radius - 4) > 0.3
     assert (np.ptp(result.tet_fractions, axis=1) == 0).all()
     assert clear.sum() > 100 and (expected[clear] == 0.5).any()
-    assert np.array_equal(result.tet_fractions[clear, 0], expected[clear])
+    assert np.array_equal(result.tet_fractions[clear, 0, 0], expected[clear])
 
 
 def test_a_part_without_material_is_named(fgmesh, core, document, boxes, compound):
@@ -138,4 +138,4 @@ def test_references_of_a_part_move_with_it(fgmesh, document, boxes, compound, pl
     for box in boxes:
         fgmesh.attach_material(box, "d1/20", references=["Face5"])
     _, result = meshed(fgmesh, document, compound)
-    assert np.allclose(result.tet_fractions, local_points(result, placement)[..., 2] / 20, atol=1e-7)
+    assert np.allclose(result.tet_fractions[..., 0], local_points(result, placement)[..., 2] / 20, atol=1e-7)

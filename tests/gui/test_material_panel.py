@@ -117,3 +117,63 @@ return dict(left=left, names=names, steps=document.UndoCount - steps_before, mod
     )
     del answer["output"]
     assert answer == {"left": 0, "names": [], "steps": 0, "modified": False}
+
+
+def test_three_constituents_by_mouse(drive):
+    answer = drive(
+        CYLINDER
+        + """
+command("FGMesh_Material")
+for number, name in enumerate(("Steel-Generic", "Aluminum-Generic"), 1):
+    write(f"FGMeshConstituent{number}", name)
+write("FGMeshFormula", "0.5*z/length")
+click("FGMeshAddConstituent")
+write("FGMeshConstituent3", "Copper-Generic")
+wait_until(lambda: widget("FGMeshFormulaMessage").text().startswith("Write a formula"))
+choose("FGMeshGrading", "Radial")
+wait_until(lambda: widget("FGMeshFormulaMessage").kind == "warning")
+warns = widget("FGMeshFormulaMessage").text()
+write("FGMeshFormula2", "0.5*r/radius2 + w")
+wait_until(lambda: widget("FGMeshFormulaMessage").kind == "error")
+marked = widget("FGMeshFormula").marked(), widget("FGMeshFormula2").marked()
+write("FGMeshFormula2", "0.5*r/radius2")
+wait_until(lambda: widget("FGMeshFormulaMessage").kind == "")
+says = widget("FGMeshFormulaMessage").text()
+shown = [widget("FGMeshQuantity").itemText(row) for row in range(3)]
+choose("FGMeshQuantity", "fraction of Copper-Generic")
+picture(f"{pictures}/material-three.png")
+panel_button("Ok")
+given = list(part.FGMFractions), list(part.FGMConstituents), part.FGM_length, part.FGM_radius2
+command("FGMesh_Material")
+again = [widget(name).formula() for name in ("FGMeshFormula", "FGMeshFormula2")]
+click("FGMeshRemoveConstituent")
+wait_until(lambda: widget("FGMeshFormulaMessage").text() == "On the solid: 0 to 0.5")
+left = widget("FGMeshConstituent2").currentText(), widget("FGMeshRemoveConstituent").isEnabled()
+panel_button("Cancel")
+select(part)
+command("FGMesh_Mesh")
+write("FGMeshMaterialThreshold", "0.2")
+click("FGMeshStart")
+wait_until(lambda: document.getObject("FGMesh") is not None and widget("FGMeshStart").isEnabled(), 120)
+click("FGMeshOpenReport")
+looks = [widget("FGMeshLook").itemText(row) for row in range(widget("FGMeshLook").count())]
+choose("FGMeshLook", "fraction of Copper-Generic")
+picture(f"{pictures}/report-three.png")
+choose("FGMeshLook", "Largest variation")
+panel_button("Close")
+return dict(warns=warns, marked=marked, says=says, shown=shown, given=given, again=again, left=left, looks=looks,
+            status=document.FGMesh.Status)
+"""
+    )
+    names = ["Steel-Generic", "Aluminum-Generic", "Copper-Generic"]
+    assert answer["warns"].startswith(
+        "On the solid: 0 to 0.5, 0 to 1, -0.5 to 1; a volume fraction must stay"
+    )
+    assert answer["marked"] == ["", "w"]
+    assert answer["says"] == "On the solid: 0 to 0.5, 0 to 0.5, 0 to 1"
+    assert answer["shown"] == [f"fraction of {name}" for name in names]
+    assert answer["given"] == [["0.5*z/length", "0.5*r/radius2"], names, 60, 20]
+    assert answer["again"] == answer["given"][0]
+    assert answer["left"] == ["Aluminum-Generic", False]
+    assert answer["looks"] == [*answer["shown"], "Plain", "Smallest angles", "Largest variation"]
+    assert answer["status"] == "ok"

@@ -171,7 +171,7 @@ def cube10(cube):
     cube.tets, cube.triangles = raised(cube.tets, MIDDLE_EDGES), raised(cube.triangles, MIDDLE_EDGES[:3])
     cube.edges = raised(cube.edges, MIDDLE_EDGES[:1])
     cube.points = np.vstack([cube.points, cube.points[edges].mean(axis=1)])
-    cube.fraction = cube.points[:, 0] / 2
+    cube.fractions = np.column_stack([cube.points[:, 0] / 2, 1 - cube.points[:, 0] / 2])
     cube.carriers = carriers_of(cube)
     return cube
 

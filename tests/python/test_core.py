@@ -41,7 +41,7 @@ def test_result(shapes, material, options):
     assert result.tets.shape == (m, 4) and result.tets.dtype == np.int32
     assert result.tet_solids.shape == result.variation.shape == result.dihedral_min.shape == (m,)
     assert result.triangles.shape == (t, 3) and result.triangle_faces.shape == (t,)
-    assert result.carriers.shape == (n, 2) and result.fraction.shape == (n,)
+    assert result.carriers.shape == (n, 2) and result.fractions.shape == (n, 2)
     assert len(result.edges) == len(result.edge_edges) > 0
     assert result.status == "ok" and len(result.above_threshold) == 0
     assert {"points", "tets", "report", "stages"} <= set(dir(result))
@@ -143,12 +143,12 @@ def test_references(shapes):
     height = np.linalg.norm(points, axis=1) - 10
     signed = core.Material(["s1"], references=ball)
     assert signed.references[0].name == "Solid1"
-    np.testing.assert_allclose(signed.evaluate(points), height, atol=1e-12)
-    np.testing.assert_allclose(signed.gradient(points), points / (height + 10)[:, None], atol=1e-9)
+    np.testing.assert_allclose(signed.evaluate(points)[:, 0], height, atol=1e-12)
+    np.testing.assert_allclose(signed.gradients(points)[:, 0], points / (height + 10)[:, None], atol=1e-9)
     for formula in ("d1", "d2"):
         plain = core.Material([formula], references=ball)
-        np.testing.assert_allclose(plain.evaluate(points), abs(height), atol=1e-12)
-    low, high = signed.bounds((1, 1, 1), (2, 2, 2))
+        np.testing.assert_allclose(plain.evaluate(points)[:, 0], abs(height), atol=1e-12)
+    (low,), (high,) = signed.bounds((1, 1, 1), (2, 2, 2))
     assert low <= np.sqrt(3) - 10 and high >= np.sqrt(12) - 10
 
 
@@ -168,11 +168,11 @@ def test_references_that_are_not_read_yet(shapes):
     with pytest.raises(core.FormulaError):
         core.Material(["s2"], references=unread)
     material = core.Material(["a*s1"], {"a": 3}, (1, 2, 3), references=unread)
-    for ask in (material.evaluate, material.gradient, lambda points: material.bounds((0, 0, 0), (1, 1, 1))):
+    for ask in (material.evaluate, material.gradients, lambda points: material.bounds((0, 0, 0), (1, 1, 1))):
         with pytest.raises(core.InvalidInput, match="Solid1 has not been read: .*read_references"):
             ask([(0, 0, 0)])
     read = core.read_references(material)
-    np.testing.assert_allclose(read.evaluate([(0, 0, 13), (0, 4, 0)]), [9, -18], atol=1e-12)
+    np.testing.assert_allclose(read.evaluate([(0, 0, 13), (0, 4, 0)])[:, 0], [9, -18], atol=1e-12)
     assert tuple(read.origin) == (1, 2, 3) and core.read_references(read) is read
     lost = core.Material(["d1"], references=core.references(shapes / "ball.brep", ["Face2"], read=False))
     with pytest.raises(core.InvalidInput, match="Face2 is lost"):
@@ -214,7 +214,7 @@ def test_a_material_whose_distances_are_known_needs_no_reading(shapes):
     unread = core.references(shapes / "ball.brep", ["Solid1", "Face1"], read=False)
     material = core.Material([formula], references=unread, **frame)
     values = material.evaluate([(3, 0, 0), (4, 5, 6)], [(-7, 5), (0.5, 0)])
-    np.testing.assert_allclose(values, [2 - 14 + 700 + 50000, 3 + 1 + 50], rtol=1e-14)
+    np.testing.assert_allclose(values[:, 0], [2 - 14 + 700 + 50000, 3 + 1 + 50], rtol=1e-14)
     points = np.random.default_rng(5).uniform(-15, 15, (3000, 3))
     read = core.references(shapes / "ball.brep", ["Solid1", "Face1"])
     known = core.distances(read, points)

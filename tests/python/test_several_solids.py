@@ -139,11 +139,13 @@ def test_each_tetrahedron_has_the_material_of_its_solid(case):
     _, _, result = case
     assert result.status == "ok"
     expected = 0.1 + 0.2 * (result.tet_solids[:, None] - 1) + result.points[result.tets][..., 2] / 200
-    assert np.allclose(result.tet_fractions, expected, atol=1e-9)
+    assert np.allclose(result.tet_fractions[..., 0], expected, atol=1e-9)
     assert np.allclose(result.variation, np.ptp(expected, axis=1), atol=1e-12)
     lowest = np.full(len(result.points), 99)
     np.minimum.at(lowest, result.tets, result.tet_solids[:, None])
-    assert np.allclose(result.fraction, 0.1 + 0.2 * (lowest - 1) + result.points[:, 2] / 200, atol=1e-9)
+    assert np.allclose(
+        result.fractions[:, 0], 0.1 + 0.2 * (lowest - 1) + result.points[:, 2] / 200, atol=1e-9
+    )
     inner = result.carriers[:, 0] == 3
     assert np.array_equal(result.carriers[inner, 1], lowest[inner])
 
@@ -216,12 +218,12 @@ def test_the_child_process_gives_the_same(order):
     ]
     options = core.MeshingOptions(order=order)
     here, there = (run(part, materials, options) for run in (core.generate_mesh, worker.generate_mesh))
-    assert here.tet_fractions.shape == (len(here.tets), 4 if order == 1 else 10)
+    assert here.tet_fractions.shape == (len(here.tets), 4 if order == 1 else 10, 2)
     for name in ("points", "tets", "tet_fractions", "variation", "coincident_faces", "solid_volumes"):
         assert np.array_equal(getattr(here, name), getattr(there, name)), name
     x = here.points[here.tets][..., 0]
     second = (here.tet_solids == 2)[:, None]
-    assert np.allclose(here.tet_fractions, np.where(second, 0.9 - (20 - x) / 20, x / 20), atol=1e-9)
+    assert np.allclose(here.tet_fractions[..., 0], np.where(second, 0.9 - (20 - x) / 20, x / 20), atol=1e-9)
 
 
 def test_the_command_line_takes_a_material_for_each_solid(fgmesh, tmp_path):

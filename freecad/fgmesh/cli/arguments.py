@@ -6,9 +6,9 @@ import re
 
 DESCRIPTION = """\
 Turn a CAD solid of a functionally graded material into a tetrahedral mesh that is fine where the material
-changes fast. Lengths are mm. The volume fraction of the first constituent is a formula over x y z r theta d
-(position, cylinder coordinates and distance from the origin of the material's frame), d1 d2 ... s1 s2 ...
-(distances to references, s with a sign) and named parameters.
+changes fast. Lengths are mm. The volume fractions of all constituents but the last, which is the remainder, are
+formulas over x y z r theta d (position, cylinder coordinates and distance from the origin of the material's frame),
+d1 d2 ... s1 s2 ... (distances to references, s with a sign) and named parameters.
 """
 
 EPILOG = """\
@@ -47,7 +47,13 @@ def build_parser(defaults, version):
 
 def _add_material(group):
     add = group.add_argument
-    add("--fraction", metavar="FORMULA", action="append", default=[], help="volume fraction of a constituent")
+    add(
+        "--fraction",
+        metavar="FORMULA",
+        action="append",
+        default=[],
+        help="volume fraction of constituent 1; given again that of 2, ...",
+    )
     add(
         "--param",
         metavar="NAME=VALUE",

@@ -33,7 +33,7 @@ def _material(values, part):
     try:
         return core.Material(fractions, values["parameters"], origin, rotation, references)
     except core.FormulaError as error:
-        shown, caret = core.caret_excerpt(fractions[0], error.position).split("\n")
+        shown, caret = core.caret_excerpt(fractions[error.formula], error.position).split("\n")
         raise core.InvalidInput(f"{error}\n  {shown}\n  {caret}") from error
 
 

@@ -28,7 +28,7 @@ class Request:
     def store(self, mesh, result):
         """Puts `result`, which came of this request, into the mesh object."""
         fem_mesh = to_fem_mesh(result, self.values["Groups"])
-        mesh_object.store(mesh, fem_mesh, core.report(result), result.fraction.tolist(), self.taken)
+        mesh_object.store(mesh, fem_mesh, core.report(result), result.fractions, self.taken)
 
 
 class BackgroundRun:

@@ -8,14 +8,16 @@ from freecad.fgmesh.io.boundary import element_sides
 def point_data(result):
     """Fields of the points, by name, each (n,): volume fractions, which sum to one; `vertex` and `edge`, N of the
     VertexN that a point stands on or of the EdgeN that it lies on between its ends, 0 where there is none."""
-    first = np.asarray(result.fraction)
+    fractions = {
+        f"fraction_{number}": column for number, column in enumerate(np.asarray(result.fractions).T, 1)
+    }
     dimension, number = np.asarray(result.carriers).T
     vertex = np.where(dimension == 0, number, 0)
     edge = np.zeros_like(vertex)
     # Of those that meet at a vertex which the shape given has not, one with a number.
     np.maximum.at(edge, np.asarray(result.edges), np.asarray(result.edge_edges)[:, None])
     edge[vertex > 0] = 0
-    return {"fraction_1": first, "fraction_2": 1.0 - first, "vertex": vertex, "edge": edge}
+    return {**fractions, "vertex": vertex, "edge": edge}
 
 
 def cell_data(result):

@@ -51,16 +51,17 @@ def attach_material(solid, fractions, parameters=None, constituents=(), frame=No
     """Gives `solid` a graded material, in place of the one that it may have.
 
     solid         any document object with a solid shape: Part features, PartDesign bodies, ...
-    fractions     the formula of the first of two constituents, or a list with that one formula
+    fractions     formulas of the volume fractions of all constituents but the last, which is the remainder; of
+                  two constituents the one formula may stand alone
     parameters    {name: number}; each becomes the property FGM_<name>, which takes expressions
-    constituents  two names of material cards or of material objects of the document, or such objects; may
-                  be left out until an analysis needs them
+    constituents  names of material cards or of material objects of the document, or such objects, one more
+                  than formulas; may be left out until an analysis needs them
     frame         FreeCAD.Placement of the material's frame in the solid's own coordinates, mm
     references    what d1, d2, ... measure to, in this order: (object, "Face3") for a face, edge, vertex or
                   solid of an object with solids, "Face3" for one of `solid` itself, an object for its only
                   solid; s1, s2, ... are the same distances with a sign, for solids
 
-    Raises core.InvalidInput (core.FormulaError for the formula), core.GeometryError for a reference whose
+    Raises core.InvalidInput (core.FormulaError for a formula), core.GeometryError for a reference whose
     shape has no valid solid, and leaves the solid as it was. One undo
     step. Returns the solid.
     """

@@ -3,6 +3,7 @@
 
 Each has x y z r theta d of the material's frame; parameters begin with the sizes of the solid in that frame.
 """
+import re
 from typing import Callable, NamedTuple
 
 from freecad.fgmesh.model.texts import TRANSLATE_LATER
@@ -53,6 +54,16 @@ def extent(shape, frame):
 def fitted(grading, shape, frame):
     """{name: number} of the parameters of `grading` for `shape`, rounded to what one would type."""
     return {name: float(f"{value:.6g}") for name, value in grading.parameters(extent(shape, frame)).items()}
+
+
+def numbered(formula, parameters, number):
+    """Formula and parameters of a grading for the constituent with this number: those of all but the first have
+    names of their own, so that each formula keeps its values."""
+    if number == 1:
+        return formula, parameters
+    for name in parameters:
+        formula = re.sub(rf"\b{name}\b", f"{name}{number}", formula)
+    return formula, {f"{name}{number}": value for name, value in parameters.items()}
 
 
 def _linear(axis):

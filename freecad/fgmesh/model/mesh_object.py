@@ -8,6 +8,7 @@ import json
 import time
 
 import Fem  # noqa: F401  registers the Fem types with the document
+import numpy as np
 
 from freecad.fgmesh import core
 from freecad.fgmesh.model import fingerprint, presentation
@@ -35,7 +36,11 @@ _RESULTS = (
     ("DihedralMin", "App::PropertyFloat", "Smallest dihedral angle, degrees"),
     ("DihedralMax", "App::PropertyFloat", "Largest dihedral angle, degrees"),
     ("Report", "App::PropertyString", "Every figure of every stage, as JSON"),
-    ("Fractions", "App::PropertyFloatList", "Volume fraction of the first constituent at node 1, 2, ..."),
+    (
+        "Fractions",
+        "App::PropertyFloatList",
+        "Volume fractions of all constituents but the last, at node 1, then at node 2, ...",
+    ),
     ("Fingerprint", "App::PropertyString", "What the mesh was made from, for telling when it is out of date"),
 )
 _HIDDEN = {"Fractions", "Fingerprint"}
@@ -116,7 +121,7 @@ def store(mesh, fem_mesh, report, fractions, taken):
 
     fem_mesh   Fem.FemMesh
     report     dict, as core.report() gives it
-    fractions  of the first constituent, for each node
+    fractions  (n, k) of all constituents at each node
     taken      the fingerprint from before meshing
     """
     last = report["stages"][-1]
@@ -130,9 +135,14 @@ def store(mesh, fem_mesh, report, fractions, taken):
     mesh.VariationMean = variation["mean"]
     mesh.DihedralMin, mesh.DihedralMax = dihedral["min"], dihedral["max"]
     mesh.Report = json.dumps(report)
-    mesh.Fractions = fractions
+    mesh.Fractions = fractions[:, :-1].ravel().tolist()
     mesh.Fingerprint = made_from  # brings the Fem mesh with it
     update_status(mesh)
+
+
+def fractions_of(mesh):
+    """(n, k - 1): volume fractions of all constituents but the last at the nodes of the mesh."""
+    return np.array(mesh.Fractions, float).reshape(mesh.FemMesh.NodeCount, -1)
 
 
 def _status(mesh):

@@ -3,16 +3,14 @@
 from typing import NamedTuple
 
 import FreeCAD
+import numpy as np
 
 from freecad.fgmesh.model import constituents
 from freecad.fgmesh.model.graded_parts import graded_parts
 from freecad.fgmesh.model.texts import TRANSLATE_LATER
 
 _FRACTION = TRANSLATE_LATER("FGMesh", "fraction of {}")
-_NAMELESS = (
-    TRANSLATE_LATER("FGMesh", "fraction of constituent 1"),
-    TRANSLATE_LATER("FGMesh", "fraction of constituent 2"),
-)
+_NAMELESS_FRACTION = TRANSLATE_LATER("FGMesh", "fraction of constituent {}")
 _PROPERTIES = (
     ("YoungsModulus", TRANSLATE_LATER("FGMesh", "Young's modulus"), "GPa"),
     ("PoissonRatio", TRANSLATE_LATER("FGMesh", "Poisson's ratio"), ""),
@@ -25,21 +23,20 @@ _PROPERTIES = (
 
 
 class Quantity(NamedTuple):
-    """A value that depends linearly on the fraction of the first constituent."""
+    """A value that depends linearly on the fractions."""
 
     name: str  # English, with {} for `constituent`; translated in the context "FGMesh"
     constituent: str
     unit: str
-    at_zero: float
-    at_one: float
+    of_constituents: tuple  # its values where each alone is
 
-    def values(self, fraction):
-        """Those at places with these fractions, (n,)."""
-        return self.at_zero + (self.at_one - self.at_zero) * fraction
+    def values(self, fractions):
+        """Those at places with these fractions, (n, k)."""
+        return fractions[:, : len(self.of_constituents)] @ np.array(self.of_constituents)
 
     @property
     def range(self):
-        return min(self.at_zero, self.at_one), max(self.at_zero, self.at_one)
+        return min(self.of_constituents), max(self.of_constituents)
 
     def title(self, translate=str):
         """What it is called, by a function that translates."""
@@ -47,29 +44,32 @@ class Quantity(NamedTuple):
         return f"{name}, {self.unit}" if self.unit else name
 
 
-def fraction_title(solid, translate=str):
-    """What the fraction of the first constituent of `solid`, None where it was deleted, is called."""
+def fraction_titles(solid, count, translate=str):
+    """What the fractions of the `count` constituents of `solid`, None where it was deleted, are called."""
     parts = graded_parts(solid) if solid is not None else []
     names = list(getattr(parts[0][0], "FGMConstituents", [])) if parts else []
-    return _fractions(names)[0].title(translate)
+    return [quantity.title(translate) for quantity in _fractions(names, count)]
 
 
-def shown_quantities(names, document):
-    """The Quantities of a solid made of the constituents called `names` (two, or none yet): the fractions, then
-    each property that both cards have, mixed in proportion to the fractions (rule of mixtures, Voigt 1889).
+def shown_quantities(names, count, document):
+    """The Quantities of a solid made of `count` constituents called `names` (as many, or none yet): the fractions, then
+    each property that all cards have, mixed in proportion to the fractions (rule of mixtures, Voigt 1889).
     """
-    found = _fractions(names)
+    found = _fractions(names, count)
     cards = [constituents.properties(name, document) for name in names]
-    for key, name, unit in _PROPERTIES if len(cards) == 2 else ():
-        values = [_value(card.get(key), unit) for card in cards]
-        if None not in values and values[0] != values[1]:
-            found.append(Quantity(name, "", unit, values[1], values[0]))
+    for key, name, unit in _PROPERTIES if len(cards) == count else ():
+        values = tuple(_value(card.get(key), unit) for card in cards)
+        if None not in values and len(set(values)) > 1:
+            found.append(Quantity(name, "", unit, values))
     return found
 
 
-def _fractions(names):
-    titles = [(_FRACTION, name) for name in names] if len(names) == 2 else [(name, "") for name in _NAMELESS]
-    return [Quantity(*titles[0], "", 0, 1), Quantity(*titles[1], "", 1, 0)]
+def _fractions(names, count):
+    named = len(names) == count
+    name = _FRACTION if named else _NAMELESS_FRACTION
+    titles = names if named else [str(number) for number in range(1, count + 1)]
+    ones = np.eye(count).tolist()
+    return [Quantity(name, title, "", tuple(values)) for title, values in zip(titles, ones)]
 
 
 def _value(text, unit):

@@ -20,6 +20,11 @@ def smallest_dihedral_angles(points, tets):
 
 
 def variations(fractions, tets):
-    """(m,): the largest difference of the fraction (n,) between corners."""
-    values = fractions[tets[:, :4]]
-    return values.max(axis=1) - values.min(axis=1)
+    """(m,): the largest difference of composition between corners (paper, equations 2.2 and 2.3), of the fractions
+    (n, k - 1) of all constituents but the last."""
+    corners = fractions[tets[:, :4]]
+    if corners.shape[2] == 1:
+        return np.ptp(corners[:, :, 0], axis=1)
+    whole = np.concatenate([corners, 1 - corners.sum(axis=2, keepdims=True)], axis=2)
+    pairs = combinations(range(4), 2)
+    return np.max([np.linalg.norm(whole[:, i] - whole[:, j], axis=1) for i, j in pairs], axis=0)

@@ -4,9 +4,10 @@ from PySide import QtCore, QtGui
 
 
 class FormulaEdit(QtGui.QPlainTextEdit):
-    """One formula, wrapped over as many lines as it needs. `textChanged` tells of edits."""
+    """One formula, wrapped over as many lines as it needs. `textChanged` tells of edits, `focused` that one goes to it."""
 
     LINES = 2
+    focused = QtCore.Signal()
 
     def __init__(self, parent=None):
         super().__init__(parent)
@@ -44,6 +45,10 @@ class FormulaEdit(QtGui.QPlainTextEdit):
     def showEvent(self, event):
         super().showEvent(event)
         self._fit()  # style sheets have set fonts and margins by now
+
+    def focusInEvent(self, event):
+        super().focusInEvent(event)
+        self.focused.emit()
 
     def keyPressEvent(self, event):
         if event.key() in (QtCore.Qt.Key_Return, QtCore.Qt.Key_Enter):

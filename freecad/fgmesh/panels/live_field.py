@@ -13,7 +13,7 @@ POLL_MILLISECONDS = 40
 
 
 class LiveField(QtCore.QObject):
-    """`ready` gives the fractions (n,) of the latest request, `failed` a core.Error."""
+    """`ready` gives the fractions (n, k) of the latest request, `failed` a core.Error."""
 
     ready = QtCore.Signal(object)
     failed = QtCore.Signal(object)
@@ -73,11 +73,14 @@ class LiveField(QtCore.QObject):
     def _evaluate(self):
         if len(self._materials) == 1:
             return self._values(self._materials[0], slice(None))
-        fraction = np.full(len(self._points), np.nan)
+        most = max((len(material.fractions) + 1 for material in self._materials), default=2)
+        fractions = np.full((len(self._points), most), np.nan)
         for number, material in enumerate(self._materials):
             chosen = self._solids == number
-            fraction[chosen] = self._values(material, chosen)
-        return fraction
+            values = self._values(material, chosen)
+            fractions[chosen] = 0.0  # a constituent that a material has not
+            fractions[chosen, : values.shape[1]] = values
+        return fractions
 
     def _values(self, material, chosen):
         points = self._points[chosen]

@@ -10,11 +10,11 @@ from freecad.fgmesh import core
 from freecad.fgmesh.model import constituents, gradings, preferences
 from freecad.fgmesh.model.macro_text import document_text
 from freecad.fgmesh.model.material_draft import MaterialDraft
-from freecad.fgmesh.panels.formula_edit import FormulaEdit
+from freecad.fgmesh.panels.composition_box import CompositionBox
 from freecad.fgmesh.panels.frame_box import FrameBox
 from freecad.fgmesh.panels.message_label import MessageLabel
 from freecad.fgmesh.panels.parameter_table import ParameterTable
-from freecad.fgmesh.panels.preview_box import PreviewBox
+from freecad.fgmesh.panels.preview_box import PreviewBox, range_text
 from freecad.fgmesh.panels.reference_list import ReferenceList
 from freecad.fgmesh.panels.wide_combo import WideCombo
 from freecad.fgmesh.view import icon
@@ -43,7 +43,7 @@ class MaterialPanel:
         self.form = [self._material_box(), self.preview]
         self._connect()
         self._show(MaterialDraft.of(self._first))
-        if not self.formula.formula():
+        if not any(self.composition.fractions()):
             self._use_grading(gradings.to_begin_with(self._first.Shape, self._frame()))
         self.preview.setChecked(preferences.preview_at_start())
         self._refresh()
@@ -76,43 +76,25 @@ class MaterialPanel:
 
     def draft(self):
         """The MaterialDraft that is shown."""
-        names = [combo.currentText().strip() for combo in self.constituents]
-        formula, parameters = self.formula.formula(), self.parameters.parameters()
-        for name in self._brought - set(re.findall(r"\w+", formula)):
+        names, formulas = self.composition.names(), self.composition.fractions()
+        parameters = self.parameters.parameters()
+        for name in self._brought - _words(formulas):
             parameters.pop(name, None)
-        return MaterialDraft(
-            names if all(names) else [], [formula], parameters, self.frame.frame(), self.references.links()
-        )
+        return MaterialDraft(names, formulas, parameters, self.frame.frame(), self.references.links())
 
     def _show(self, draft):
-        for combo, name in zip(self.constituents, draft.constituents or ["", ""]):
-            combo.setEditText(name)
-            combo.lineEdit().setCursorPosition(0)  # of a name too long its beginning is seen
-        self.formula.set_formula(draft.fractions[0])
+        self.composition.set_composition(draft.constituents, draft.fractions)
         self.parameters.set_parameters(draft.parameters)
         self.frame.set_frame(draft.frame)
         self.references.set_links(draft.references)
 
     def _make_widgets(self):
-        names = constituents.available(self._first.Document)
-        self.constituents = [WideCombo("FGMeshConstituent1"), WideCombo("FGMeshConstituent2")]
-        for combo in self.constituents:
-            combo.setEditable(True)
-            combo.addItem("")
-            combo.addItems(names)
         self.grading = WideCombo("FGMeshGrading")
         self.grading.addItem(translate("Ready gradings ..."))
         for number, grading in enumerate(gradings.GRADINGS, 1):
             self.grading.addItem(translate(grading.name))
             self.grading.setItemData(number, translate(grading.tip), QtCore.Qt.ToolTipRole)
-        self.formula = FormulaEdit()
-        self.formula.setObjectName("FGMeshFormula")
-        self.formula.setToolTip(
-            translate(
-                "Volume fraction of the first constituent, 0 to 1, over x y z r theta d (mm, radians, in the "
-                "material's frame), the parameters, and d1 d2 ..., the distances to the references"
-            )
-        )
+        self.composition = CompositionBox(constituents.available(self._first.Document), self.grading)
         self.message = MessageLabel()
         self.message.setObjectName("FGMeshFormulaMessage")
         self.make_parameter = QtGui.QPushButton()
@@ -131,11 +113,7 @@ class MaterialPanel:
         form = QtGui.QFormLayout(box)
         form.setContentsMargins(4, 4, 4, 4)
         form.setRowWrapPolicy(QtGui.QFormLayout.WrapLongRows)
-        form.addRow(translate("Constituent 1"), self.constituents[0])
-        form.addRow(translate("Constituent 2"), self.constituents[1])
-        form.addRow(self.grading)
-        form.addRow(QtGui.QLabel(translate("Volume fraction of constituent 1")))
-        form.addRow(self.formula)
+        form.addRow(self.composition)
         form.addRow(self.message)
         form.addRow(self.make_parameter)
         form.addRow(self.parameters)
@@ -147,19 +125,18 @@ class MaterialPanel:
 
     def _connect(self):
         self.grading.activated.connect(self._grading_chosen)
-        self.formula.textChanged.connect(self._timer.start)
+        self.composition.edited.connect(self._timer.start)
         self.parameters.edited.connect(self._timer.start)
         self.frame.edited.connect(self._timer.start)
         self.frame.failed.connect(self.message.complain)
         self.references.edited.connect(self._timer.start)
         self.make_parameter.clicked.connect(self._add_missing_parameter)
-        for combo in self.constituents:
-            combo.currentTextChanged.connect(self._constituents_changed)
+        self.composition.renamed.connect(self._constituents_changed)
         self.preview.looked_at.connect(self._tell_range)
         self.preview.failed.connect(lambda error: self.message.complain(str(error)))
 
     def _constituents_changed(self):
-        self.preview.set_constituents([combo.currentText().strip() for combo in self.constituents])
+        self.preview.set_constituents(self.composition.names(), self.composition.count())
 
     def _frame(self):
         """That of the material, in the coordinates of the solid's shape."""
@@ -172,34 +149,40 @@ class MaterialPanel:
 
     def _use_grading(self, grading):
         self.grading.setCurrentIndex(1 + gradings.GRADINGS.index(grading))
-        parameters = gradings.fitted(grading, self._first.Shape, self._frame())
-        self._brought = set(parameters)
-        self.parameters.set_parameters(parameters)
-        self.formula.set_formula(grading.formula)
+        others = self.composition.fractions()
+        number = self.composition.current + 1
+        del others[number - 1]
+        formula, parameters = gradings.numbered(
+            grading.formula, gradings.fitted(grading, self._first.Shape, self._frame()), number
+        )
+        kept = {name: text for name, text in self.parameters.parameters().items() if name in _words(others)}
+        self._brought |= set(parameters)
+        self.parameters.set_parameters({**kept, **parameters})
+        self.composition.set_formula(formula)
         self.references.pick_until(grading.references)
 
     def _refresh(self):
         """Checks what is written, marks what is wrong, has the preview follow."""
         self._timer.stop()
         self._missing_name = None
-        position = None
+        wrong = position = None
         try:
             material = self.draft().material(self._first)
         except core.FormulaError as error:
-            position = error.position
+            wrong, position = error.formula, error.position
             self._complain_of_formula(error)
         except core.Error as error:
             self.message.complain(str(error))
         else:
             self.message.say("")
             self.preview.set_materials([material])
-        self.formula.mark(position)
+        self.composition.mark(wrong, position)
         self.make_parameter.setVisible(self._missing_name is not None)
         if self.message.kind == "error":
             self.preview.set_materials([])
 
     def _complain_of_formula(self, error):
-        formula = self.formula.formula()
+        formula = self.composition.fractions()[error.formula]
         if not formula:
             self.message.say(translate("Write a formula, or choose a ready grading above"))
             return
@@ -213,18 +196,18 @@ class MaterialPanel:
         if self._missing_name is not None:
             self.parameters.add(self._missing_name)
 
-    def _tell_range(self, low, high, missing):
+    def _tell_range(self, ranges, missing):
         if self.message.kind == "error":
             return
-        if np.isnan(low):
+        if np.isnan(ranges).any():
             self.message.complain(translate("The formula is not defined anywhere on the solid"))
             return
-        text = translate("On the solid: {} to {}").format(number_text(low, ".4g"), number_text(high, ".4g"))
+        text = range_text(ranges)
         if missing > 0:
             self.message.warn(
                 text + translate("; not defined in {} % of it").format(number_text(100 * missing, ".2g"))
             )
-        elif low < -_SLACK or high > 1 + _SLACK:
+        elif ranges.min() < -_SLACK or ranges.max() > 1 + _SLACK:
             self.message.warn(text + translate("; a volume fraction must stay between 0 and 1"))
         else:
             self.message.say(text)
@@ -236,3 +219,7 @@ class MaterialPanel:
         self.preview.close_preview()
         FreeCADGui.Control.closeDialog()
         return True
+
+
+def _words(formulas):
+    return set(re.findall(r"\w+", " ".join(formulas)))

@@ -10,7 +10,7 @@ from freecad.fgmesh import core
 from freecad.fgmesh.fem import background
 from freecad.fgmesh.model import mesh_object, options, preferences
 from freecad.fgmesh.model.macro_text import document_text, object_text
-from freecad.fgmesh.model.shown_quantities import fraction_title
+from freecad.fgmesh.model.shown_quantities import fraction_titles
 from freecad.fgmesh.model.texts import TRANSLATE_LATER
 from freecad.fgmesh.panels.expectation import Expectation
 from freecad.fgmesh.panels.mesh_options_box import MeshOptionsBox
@@ -199,7 +199,8 @@ class MeshPanel:
         self._show_running(False)
         self.bar.setValue(1000)
         self._tell_result()
-        mesh_look.colour_by_fraction(self.mesh, fraction_title(self.solid, translate))
+        title, *_ = fraction_titles(self.solid, 1 + mesh_object.fractions_of(self.mesh).shape[1], translate)
+        mesh_look.colour_by_fraction(self.mesh, title)
 
     def _run_lines(self, run):
         document = FreeCAD.getDocument(self._document)

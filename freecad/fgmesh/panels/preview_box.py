@@ -12,14 +12,24 @@ from freecad.fgmesh.panels.section_controls import SectionControls
 from freecad.fgmesh.panels.wide_combo import WideCombo
 from freecad.fgmesh.view import icon
 from freecad.fgmesh.view.preview import Preview
-from freecad.fgmesh.view.texts import translate
+from freecad.fgmesh.view.texts import number_text, translate
+
+
+def range_text(ranges):
+    """What `PreviewBox.looked_at` gives, in words. Of two constituents the first tells all."""
+    spans = [
+        translate("{} to {}").format(number_text(low, ".4g"), number_text(high, ".4g"))
+        for low, high in ranges
+    ]
+    return translate("On the solid: {}").format(spans[0] if len(spans) == 2 else ", ".join(spans))
 
 
 class PreviewBox(QtGui.QGroupBox):
-    """Shows a solid coloured by its material. `looked_at` gives (lowest, highest, share undefined) of the fraction
-    over the solid, inside and on its boundary; `failed` a core.Error."""
+    """Shows a solid coloured by its material. `looked_at` gives the lowest and the highest of each fraction, (k, 2),
+    over the solid, inside and on its boundary, and the share of it where one is undefined; `failed` a core.Error.
+    """
 
-    looked_at = QtCore.Signal(float, float, float)
+    looked_at = QtCore.Signal(object, float)
     failed = QtCore.Signal(object)
 
     def __init__(self, solid, parent=None):
@@ -30,14 +40,14 @@ class PreviewBox(QtGui.QGroupBox):
         self._solid, self._preview = solid, None
         self._surface = surface_of(solid)
         self._samples = sample_points(self._surface)
-        self._fraction = None
+        self._fractions = None
         self._field = LiveField(self)
         self._field.ready.connect(self._show)
         self._field.failed.connect(self.failed)
         self.setCheckable(True)
         self.setChecked(False)
         self.toggled.connect(self._toggle)
-        self._quantities = []
+        self._quantities, self._count = [], 2
         self.quantity = WideCombo("FGMeshQuantity")
         self.quantity.currentIndexChanged.connect(lambda: self._colour())
         self.section = SectionControls(solid, solid.Shape.BoundBox, "Section")
@@ -48,11 +58,12 @@ class PreviewBox(QtGui.QGroupBox):
         self._lay_out()
         self.set_constituents([])
 
-    def set_constituents(self, names):
-        """The names of both constituents, from which follows what can be shown."""
-        chosen = max(self.quantity.currentIndex(), 0)
+    def set_constituents(self, names, count=2):
+        """How many constituents there are, and their names where they have some: from these follows what can be
+        shown."""
+        chosen, self._count = max(self.quantity.currentIndex(), 0), count
         with quiet(self.quantity):
-            self._quantities = shown_quantities([name for name in names if name], self._solid.Document)
+            self._quantities = shown_quantities([name for name in names if name], count, self._solid.Document)
             self.quantity.clear()
             self.quantity.addItems([quantity.title(translate) for quantity in self._quantities])
             self.quantity.setCurrentIndex(min(chosen, len(self._quantities) - 1))
@@ -63,7 +74,7 @@ class PreviewBox(QtGui.QGroupBox):
         nothing is shown in place of what it was before."""
         self._field.update(materials)
         if not materials and self._preview is not None:
-            self._fraction = np.full(len(self._preview.points), np.nan)
+            self._fractions = np.full((len(self._preview.points), self._count), np.nan)
             self._colour()
 
     def close_preview(self):
@@ -75,7 +86,7 @@ class PreviewBox(QtGui.QGroupBox):
 
     def showEvent(self, event):
         super().showEvent(event)
-        if self._fraction is None:
+        if self._fractions is None:
             self._new_points()
 
     def _lay_out(self):
@@ -102,20 +113,25 @@ class PreviewBox(QtGui.QGroupBox):
             solids = np.concatenate([self._preview.solids, solids])
         self._field.set_points(points, solids)
 
-    def _show(self, fraction):
-        self._fraction = fraction
-        defined = fraction[np.isfinite(fraction)]
-        missing = 1 - len(defined) / max(len(fraction), 1)
-        low, high = (defined.min(), defined.max()) if len(defined) else (np.nan, np.nan)
+    def _show(self, fractions):
+        self._fractions = fractions
+        defined = fractions[np.isfinite(fractions).all(axis=1)]
+        missing = 1 - len(defined) / max(len(fractions), 1)
         self._colour()
-        self.looked_at.emit(low, high, missing)
+        ranges = np.full((fractions.shape[1], 2), np.nan)
+        if len(defined):
+            ranges = np.column_stack([defined.min(axis=0), defined.max(axis=0)])
+        self.looked_at.emit(ranges, missing)
 
     def _colour(self):
-        if self._preview is None or self._fraction is None or len(self._fraction) < len(self._preview.points):
+        if self._preview is None or self._fractions is None:
             return
+        rows, columns = self._fractions.shape
+        if rows < len(self._preview.points) or columns < self._count:
+            return  # others are under way
         quantity = self._quantities[max(self.quantity.currentIndex(), 0)]
-        fraction = self._fraction[: len(self._preview.points)]
-        self._preview.set_values(quantity.values(fraction), quantity.title(translate), *quantity.range)
+        values = quantity.values(self._fractions[: len(self._preview.points)])
+        self._preview.set_values(values, quantity.title(translate), *quantity.range)
 
     def _cut(self):
         """Cuts the solid as the controls say."""

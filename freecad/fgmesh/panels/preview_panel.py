@@ -7,9 +7,9 @@ from PySide import QtGui
 from freecad.fgmesh import core
 from freecad.fgmesh.model.graded_parts import graded_parts, materials_of
 from freecad.fgmesh.panels.message_label import MessageLabel
-from freecad.fgmesh.panels.preview_box import PreviewBox
+from freecad.fgmesh.panels.preview_box import PreviewBox, range_text
 from freecad.fgmesh.view import icon
-from freecad.fgmesh.view.texts import number_text, translate
+from freecad.fgmesh.view.texts import translate
 
 
 class PreviewPanel:
@@ -28,7 +28,9 @@ class PreviewPanel:
         layout = QtGui.QVBoxLayout(self.form)
         layout.addWidget(self.preview)
         layout.addWidget(self.message)
-        self.preview.set_constituents(list(getattr(graded_parts(solid)[0][0], "FGMConstituents", [])))
+        first, *_ = graded_parts(solid)[0]
+        names, formulas = getattr(first, "FGMConstituents", []), getattr(first, "FGMFractions", [""])
+        self.preview.set_constituents(list(names), len(formulas) + 1)
         self.preview.setChecked(True)
         self._show()
 
@@ -46,9 +48,8 @@ class PreviewPanel:
         except core.Error as error:
             self.message.complain(str(error))
 
-    def _tell_range(self, low, high, missing):
-        if np.isnan(low):
+    def _tell_range(self, ranges, _):
+        if np.isnan(ranges).any():
             self.message.complain(translate("The formula is not defined anywhere on the solid"))
         else:
-            text = translate("On the solid: {} to {}")
-            self.message.say(text.format(number_text(low, ".4g"), number_text(high, ".4g")))
+            self.message.say(range_text(ranges))

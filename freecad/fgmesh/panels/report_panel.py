@@ -9,7 +9,8 @@ from PySide import QtCore, QtGui
 from freecad.fgmesh import pictures
 from freecad.fgmesh.fem.fem_mesh import points_and_tets
 from freecad.fgmesh.io import stage_rows, write_report_table
-from freecad.fgmesh.model.shown_quantities import fraction_title
+from freecad.fgmesh.model.mesh_object import fractions_of
+from freecad.fgmesh.model.shown_quantities import fraction_titles
 from freecad.fgmesh.model.tet_figures import smallest_dihedral_angles, variations
 from freecad.fgmesh.model.texts import TRANSLATE_LATER
 from freecad.fgmesh.panels.message_label import MessageLabel
@@ -20,7 +21,7 @@ from freecad.fgmesh.view.texts import number_text, translate
 
 _WORST = 20  # tetrahedra that are shown
 
-FRACTION, PLAIN, SMALLEST_ANGLES, LARGEST_VARIATION = range(4)
+PLAIN, SMALLEST_ANGLES, LARGEST_VARIATION = range(3)  # looks behind the fractions
 """What the view shows."""
 
 STAGES = {
@@ -49,7 +50,7 @@ class ReportPanel:
     def __init__(self, mesh):
         self.mesh, self.report = mesh, json.loads(mesh.Report)
         self._was_coloured = mesh_look.is_coloured(mesh)
-        self._title = fraction_title(mesh.Shape, translate)
+        self._titles = fraction_titles(mesh.Shape, 1 + fractions_of(mesh).shape[1], translate)
         self.form = [self._figures_box(), self._view_box()]
         self._show_look()
 
@@ -60,7 +61,7 @@ class ReportPanel:
 
     def reject(self):
         if self._was_coloured:
-            mesh_look.colour_by_fraction(self.mesh, self._title)
+            mesh_look.colour_by_fraction(self.mesh, self._titles[0])
         else:
             mesh_look.show_plain(self.mesh)
         FreeCADGui.Control.closeDialog()
@@ -152,14 +153,10 @@ class ReportPanel:
         form = QtGui.QFormLayout(box)
         self.look = QtGui.QComboBox()
         self.look.setObjectName("FGMeshLook")
-        self.look.addItems(
-            [
-                translate("Fraction"),
-                translate("Plain"),
-                translate("Smallest angles"),
-                translate("Largest variation"),
-            ]
-        )
+        # Two fractions tell the same.
+        self._fractions = [translate("Fraction")] if len(self._titles) == 2 else self._titles
+        self.look.addItems(self._fractions)
+        self.look.addItems([translate("Plain"), translate("Smallest angles"), translate("Largest variation")])
         self.look.currentIndexChanged.connect(lambda: self._show_look())
         self.section = SectionControls(self.mesh, self.mesh.FemMesh.BoundBox, "Cut")
         self.section.changed.connect(self._show_look)
@@ -168,12 +165,13 @@ class ReportPanel:
         return box
 
     def _show_look(self):
-        look, plane = self.look.currentIndex(), self.section.plane()
-        self.section.setEnabled(look == FRACTION)
-        if look == PLAIN:
+        constituent = self.look.currentIndex()
+        look = constituent - len(self._fractions)
+        self.section.setEnabled(look < 0)
+        if look < 0:
+            mesh_look.cut(self.mesh, self.section.plane(), self._titles[constituent], constituent)
+        elif look == PLAIN:
             mesh_look.show_plain(self.mesh)
-        elif look == FRACTION:
-            mesh_look.cut(self.mesh, plane, self._title)
         else:
             mesh_look.show_worst(self.mesh, self._worst(look))
 
@@ -183,7 +181,7 @@ class ReportPanel:
         if look == SMALLEST_ANGLES:
             order = smallest_dihedral_angles(points, tets)
         else:
-            order = -variations(np.array(self.mesh.Fractions), tets)
+            order = -variations(fractions_of(self.mesh), tets)
         return np.argsort(order, kind="stable")[:_WORST]
 
     def _ask_picture(self):

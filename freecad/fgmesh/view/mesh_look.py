@@ -9,6 +9,7 @@ from pivy import coin
 
 from freecad.fgmesh import colours
 from freecad.fgmesh.fem.fem_mesh import points_and_tets
+from freecad.fgmesh.model.mesh_object import fractions_of
 from freecad.fgmesh.model.tet_faces import TetFaces
 from freecad.fgmesh.model.texts import TRANSLATE_LATER
 from freecad.fgmesh.view.colour_bar import ColourBar
@@ -20,21 +21,21 @@ from freecad.fgmesh.view.texts import translate
 TITLE = TRANSLATE_LATER("FGMesh", "volume fraction")
 
 
-def colour_by_fraction(mesh, title=TITLE):
-    """Colours the mesh by the fraction of the first constituent at its nodes."""
-    _look_of(mesh).show_fraction(None, title)
+def colour_by_fraction(mesh, title=TITLE, constituent=0):
+    """Colours the mesh by the fraction of a constituent, told by its index, at its nodes."""
+    cut(mesh, None, title, constituent)
 
 
-def cut(mesh, plane, title=TITLE):
-    """Shows the whole tetrahedra behind `plane`, coloured by their fraction: (origin, normal) in the coordinates of the
+def cut(mesh, plane, title=TITLE, constituent=0):
+    """Shows the whole tetrahedra behind `plane`, coloured likewise: (origin, normal) in the coordinates of the
     mesh, which are those of its solid's shape; those whose centre lies on the side to which the normal points
     are not shown. None: shows all."""
     look = _look_of(mesh)
-    if plane is None:
-        look.show_fraction(None, title)
-    else:
+    shown = None
+    if plane is not None:
         origin, normal = (np.array(tuple(vector)) for vector in plane)
-        look.show_fraction((look.faces.centres - origin) @ normal <= 0, title)
+        shown = (look.faces.centres - origin) @ normal <= 0
+    look.show_fraction(constituent, shown, title)
 
 
 def show_worst(mesh, numbers):
@@ -77,7 +78,9 @@ class MeshLook:
     def __init__(self, mesh):
         self.fingerprint = mesh.Fingerprint
         self.faces = TetFaces(*points_and_tets(mesh.FemMesh))
-        self._fractions = np.array(mesh.Fractions, float)
+        fractions = fractions_of(mesh)
+        self._fractions = np.column_stack([fractions, 1 - fractions.sum(axis=1)])
+        self._values = self._fractions[:, 0]
         self._coloured, self._bar, self._marks = (
             ColouredFaces(edge_width=1.0),
             ColourBar(mesh.Document.Name),
@@ -96,11 +99,12 @@ class MeshLook:
         # In front of the style that hides the mesh.
         self._root.insertChild(self._switch, 0)
 
-    def show_fraction(self, shown, title):
-        """shown (m,): which tetrahedra; None: all."""
+    def show_fraction(self, constituent, shown, title):
+        """constituent: index; shown (m,): which tetrahedra, None: all."""
+        self._values = self._fractions[:, constituent]
         self._marks.removeAllChildren()
         self._show(*self.faces.seen(shown))
-        self._bar.show(translate(title), 0.0, 1.0, self._fractions)
+        self._bar.show(translate(title), 0.0, 1.0, self._values)
 
     def show_worst(self, numbers):
         """numbers (w,): which tetrahedra stand out."""
@@ -136,7 +140,7 @@ class MeshLook:
         self._coloured.set_points(points, normals)
         first = 3 * len(triangles)
         self._coloured.set_faces(np.arange(first).reshape(-1, 3), [], numbers.reshape(-1, 2) + first)
-        values = self._fractions[np.concatenate([triangles.ravel(), used])]
+        values = self._values[np.concatenate([triangles.ravel(), used])]
         self._coloured.set_values(values, 0.0, 1.0)
 
 

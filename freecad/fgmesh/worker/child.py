@@ -3,7 +3,7 @@
 
 Arguments: the numbers of two open files in memory, for the request (a line of JSON, then the shapes: that to
 mesh, and those of references) and for arrays, those of the request and behind them those of the answer. Standard
-output takes messages, a line of JSON each: ["progress", [stage, fraction, tets]], and at last ["result", packed] or ["error", {name, text, position, place}]. Standard input never says
+output takes messages, a line of JSON each: ["progress", [stage, fraction, tets]], and at last ["result", packed] or ["error", {name, text, position, formula, place}]. Standard input never says
 anything: it ends when the parent does.
 """
 import contextlib
@@ -79,6 +79,7 @@ def _answer(request, shapes, arrays, send):
             "name": type(error).__name__,
             "text": str(error),
             "position": getattr(error, "position", None),
+            "formula": getattr(error, "formula", None),
             "place": traceback.format_exc(),
         }
     finally:

@@ -174,7 +174,7 @@ class Run:
         self._process.wait()
         self._ended = True
 
-    def _error(self, name, text, position, place):
+    def _error(self, name, text, position, formula, place):
         if name == "MemoryError":
             return core.Cancelled(self._memory_limit_reached() + self._place())
         kind = getattr(core, name, None)
@@ -184,7 +184,7 @@ class Run:
             return fault
         error = kind(text)
         if position is not None:
-            error.position = position
+            error.position, error.formula = position, formula
         return error
 
     def _early_end(self):

@@ -153,9 +153,16 @@ TEST(MaterialErrors, ParametersNeedFreeNamesAndFiniteValues) {
   expect_invalid([] { Material({"x"}, {{"alpha", 1.0 / 0.0}}); }, "'alpha' must be a finite number");
 }
 
-TEST(MaterialErrors, OneFormulaAndARightHandedFrame) {
+TEST(MaterialErrors, OneFormulaOrMoreAndARightHandedFrame) {
   expect_invalid([] { Material({}); }, "needs a formula");
-  expect_invalid([] { Material({"x", "y"}); }, "not available yet");
+  try {
+    Material({"x", "y*w"}, {{"v", 1.0}});
+    FAIL() << "w is no name";
+  } catch (const FormulaError& error) {
+    EXPECT_EQ(error.formula(), 1u);
+    EXPECT_EQ(error.position(), 2u);
+    EXPECT_EQ(std::string(error.what()).find("formula 2: "), 0u) << error.what();
+  }
   Frame frame;
   frame.rotation(0, 0) = -1.0;
   expect_invalid([&] { Material({"x"}, {}, frame); }, "right-handed");

@@ -25,7 +25,7 @@ void expect_sane(const std::string& text, const Material& material) {
     material.evaluate(&p, 1, &alone);
     ASSERT_TRUE(value == alone || (std::isnan(value) && std::isnan(alone))) << in_quotes(text);
     ASSERT_EQ(gradient.hasNaN(), std::isnan(value)) << text;
-    material.bounds({p - Vec3(0.5, 0.5, 0.5), p + Vec3(0.25, 0, 1)}, low, high);
+    material.bounds({p - Vec3(0.5, 0.5, 0.5), p + Vec3(0.25, 0, 1)}, &low, &high);
     ASSERT_TRUE(!std::isfinite(value) || (low <= value && value <= high))
         << text << " at " << p.transpose() << ": " << value << " outside [" << low << ", " << high << "]";
   }

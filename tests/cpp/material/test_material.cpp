@@ -39,6 +39,24 @@ TEST(Material, GivesTheSameInBatchesOfEverySize) {
   }
 }
 
+TEST(Material, OfThreeConstituentsGivesTheFractionsOfTwo) {
+  const Material material({"a*x", "y^2/9"}, {{"a", 0.1}});
+  EXPECT_EQ(material.constituents(), 3);
+  const std::vector<Vec3> points = {Vec3(1, 2, 3), Vec3(4, 1, 0)};
+  std::vector<double> fractions(4), again(4);
+  std::vector<Vec3> gradients(4);
+  material.evaluate(points.data(), 2, fractions.data());
+  material.evaluate(points.data(), 2, again.data(), gradients.data());
+  const std::vector<double> expected = {0.1, 0.4, 4.0 / 9.0, 1.0 / 9.0};
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(fractions[i], expected[i], 1e-15);
+  EXPECT_EQ(fractions, again);
+  EXPECT_LT((gradients[1] - Vec3(0.1, 0, 0)).norm() + (gradients[2] - Vec3(0, 4.0 / 9.0, 0)).norm(), 1e-14);
+  double low[2], high[2];
+  material.bounds({Vec3(1, 1, 0), Vec3(2, 3, 0)}, low, high);
+  EXPECT_NEAR(low[0] + low[1], 0.1 + 1.0 / 9.0, 1e-12);
+  EXPECT_NEAR(high[0] + high[1], 0.2 + 1.0, 1e-12);
+}
+
 TEST(Material, EvaluatesNoPointsAndConstants) {
   const Material material({"2^0.5 + 1"});
   material.evaluate(nullptr, 0, nullptr);
@@ -52,7 +70,7 @@ TEST(Material, PassesNaNOfAPointOn) {
   const Material material({"exp(-d)"});
   EXPECT_TRUE(std::isnan(value_at(material, Vec3(nan, 0, 0))));
   double low = 0.0, high = 0.0;
-  material.bounds({Vec3(nan, 0, 0), Vec3(1, 1, 1)}, low, high);
+  material.bounds({Vec3(nan, 0, 0), Vec3(1, 1, 1)}, &low, &high);
   EXPECT_TRUE(std::isnan(low) && std::isnan(high));
 }
 
@@ -75,7 +93,7 @@ TEST(Material, ServesManyThreadsAtOnce) {
         material.evaluate(points.data(), points.size(), values.data(), gradients.data());
         faults += values != expected || gradients != expected_gradients;
         double low = 0.0, high = 0.0;
-        material.bounds({points[0], points[0]}, low, high);
+        material.bounds({points[0], points[0]}, &low, &high);
         faults += !(low <= expected[0] && expected[0] <= high);
       }
     });

@@ -47,7 +47,7 @@ TEST(MaterialBounds, HoldEveryValueInTheBox) {
         // Some boxes hold the origin, the axis and the cut of the angle.
         if (i % 3 == 0) box = {box.low - box.high, box.high - box.low};
         double low = 0.0, high = 0.0;
-        material.bounds(box, low, high);
+        material.bounds(box, &low, &high);
         for (int k = 0; k < 20; ++k) {
           const Vec3 p = point_in(box, random);
           const double value = value_at(material, p);
@@ -63,19 +63,19 @@ TEST(MaterialBounds, HoldEveryValueInTheBox) {
 TEST(MaterialBounds, AreTightWhereEveryVariableStandsOnce) {
   const Material material({"exp(-alpha*d)"}, {{"alpha", 0.08}});
   double low = 0.0, high = 0.0;
-  material.bounds({Vec3(1, 2, 3), Vec3(4, 5, 6)}, low, high);
+  material.bounds({Vec3(1, 2, 3), Vec3(4, 5, 6)}, &low, &high);
   EXPECT_NEAR(low, std::exp(-0.08 * std::sqrt(77.0)), 1e-14);
   EXPECT_NEAR(high, std::exp(-0.08 * std::sqrt(14.0)), 1e-14);
-  material.bounds({Vec3(-1, -1, -1), Vec3(3, 1, 1)}, low, high);
+  material.bounds({Vec3(-1, -1, -1), Vec3(3, 1, 1)}, &low, &high);
   EXPECT_NEAR(low, std::exp(-0.08 * std::sqrt(11.0)), 1e-14);
   EXPECT_NEAR(high, 1.0, 1e-14);
-  Material({"(r - 20)/20"}).bounds({Vec3(30, 0, -5), Vec3(40, 30, 5)}, low, high);
+  Material({"(r - 20)/20"}).bounds({Vec3(30, 0, -5), Vec3(40, 30, 5)}, &low, &high);
   EXPECT_NEAR(low, 0.5, 1e-14);
   EXPECT_NEAR(high, 1.5, 1e-14);
-  Material({"z"}).bounds({Vec3(0, 0, -1.5), Vec3(1, 1, 2.25)}, low, high);
+  Material({"z"}).bounds({Vec3(0, 0, -1.5), Vec3(1, 1, 2.25)}, &low, &high);
   EXPECT_EQ(low, -1.5);
   EXPECT_EQ(high, 2.25);
-  Material({"x*x"}).bounds({Vec3(-2, 0, 0), Vec3(1, 1, 1)}, low, high);
+  Material({"x*x"}).bounds({Vec3(-2, 0, 0), Vec3(1, 1, 1)}, &low, &high);
   EXPECT_EQ(low, 0.0);
   EXPECT_EQ(high, 4.0);
 }
@@ -88,7 +88,7 @@ TEST(MaterialBounds, ShrinkWithTheBox) {
     double previous = 1e9;
     for (const double size : {1.0, 1e-2, 1e-4, 1e-6}) {
       double low = 0.0, high = 0.0;
-      material.bounds({p, p + Vec3::Constant(size)}, low, high);
+      material.bounds({p, p + Vec3::Constant(size)}, &low, &high);
       EXPECT_LT(high - low, 10.0 * size) << formula;
       EXPECT_LT(high - low, previous) << formula;
       previous = high - low;
@@ -99,19 +99,19 @@ TEST(MaterialBounds, ShrinkWithTheBox) {
 TEST(MaterialBounds, FollowTheBranchesThatCanBeTaken) {
   const Material material({"x > 0 ? 1 + log(x) : y"});
   double low = 0.0, high = 0.0;
-  material.bounds({Vec3(-2, 3, 0), Vec3(-1, 4, 0)}, low, high);
+  material.bounds({Vec3(-2, 3, 0), Vec3(-1, 4, 0)}, &low, &high);
   EXPECT_EQ(low, 3.0);
   EXPECT_EQ(high, 4.0);
-  material.bounds({Vec3(1, 3, 0), Vec3(1, 4, 0)}, low, high);
+  material.bounds({Vec3(1, 3, 0), Vec3(1, 4, 0)}, &low, &high);
   EXPECT_NEAR(low, 1.0, 1e-14);
   EXPECT_NEAR(high, 1.0, 1e-14);
 }
 
 TEST(MaterialBounds, AreNaNWhereNothingIsDefined) {
   double low = 0.0, high = 0.0;
-  Material({"log(x)"}).bounds({Vec3(-2, 0, 0), Vec3(-1, 1, 1)}, low, high);
+  Material({"log(x)"}).bounds({Vec3(-2, 0, 0), Vec3(-1, 1, 1)}, &low, &high);
   EXPECT_TRUE(std::isnan(low) && std::isnan(high));
-  Material({"0/0"}).bounds({Vec3(-2, 0, 0), Vec3(-1, 1, 1)}, low, high);
+  Material({"0/0"}).bounds({Vec3(-2, 0, 0), Vec3(-1, 1, 1)}, &low, &high);
   EXPECT_FALSE(low <= high && std::isfinite(low));
 }
 

@@ -71,9 +71,9 @@ TEST(MaterialReferences, HaveGradientsInTheWorld) {
 TEST(MaterialReferences, HaveBounds) {
   const Box across{Vec3(-1, 0, 0), Vec3(5, 1, 1)};
   double low = 0.0, high = 0.0;
-  material("s1").bounds(across, low, high);
+  material("s1").bounds(across, &low, &high);
   EXPECT_EQ(std::make_pair(low, high), std::make_pair(-3.0, 3.0));
-  material("d1").bounds(across, low, high);
+  material("d1").bounds(across, &low, &high);
   EXPECT_EQ(std::make_pair(low, high), std::make_pair(0.0, 3.0));
 }
 

@@ -5,13 +5,14 @@
 #include <functional>
 #include <limits>
 #include <utility>
+#include <vector>
 
-#include "core/scalar_field.hpp"
+#include "core/composition_field.hpp"
 
 namespace fgmesh::test {
 
-/// A field from two functions of a point.
-class FunctionField final : public ScalarField {
+/// Two constituents, the fraction of the first and its gradient functions of a point.
+class FunctionField final : public CompositionField {
  public:
   using Value = std::function<double(const Vec3&)>;
   using Gradient = std::function<Vec3(const Vec3&)>;
@@ -20,6 +21,7 @@ class FunctionField final : public ScalarField {
 
   double operator()(const Vec3& p) const { return value_(p); }
 
+  int constituents() const override { return 2; }
   void evaluate(const Vec3* points, std::size_t count, double* values) const override {
     for (std::size_t i = 0; i < count; ++i) values[i] = value_(points[i]);
   }
@@ -29,14 +31,35 @@ class FunctionField final : public ScalarField {
       gradients[i] = gradient_(points[i]);
     }
   }
-  void bounds(const Box&, double& low, double& high) const override {
-    low = -std::numeric_limits<double>::infinity();
-    high = std::numeric_limits<double>::infinity();
+  void bounds(const Box&, double* low, double* high) const override {
+    *low = -std::numeric_limits<double>::infinity();
+    *high = std::numeric_limits<double>::infinity();
   }
 
  private:
   Value value_;
   Gradient gradient_;
+};
+
+/// Of each constituent but the last the fraction that a field of two has for its first.
+class Mixture final : public CompositionField {
+ public:
+  explicit Mixture(std::vector<FunctionField> parts) : parts_(std::move(parts)) {}
+
+  int constituents() const override { return static_cast<int>(parts_.size()) + 1; }
+  void evaluate(const Vec3* points, std::size_t count, double* values) const override {
+    for (std::size_t i = 0; i < parts_.size(); ++i) parts_[i].evaluate(points, count, values + i * count);
+  }
+  void evaluate(const Vec3* points, std::size_t count, double* values, Vec3* gradients) const override {
+    for (std::size_t i = 0; i < parts_.size(); ++i)
+      parts_[i].evaluate(points, count, values + i * count, gradients + i * count);
+  }
+  void bounds(const Box& box, double* low, double* high) const override {
+    for (std::size_t i = 0; i < parts_.size(); ++i) parts_[i].bounds(box, low + i, high + i);
+  }
+
+ private:
+  std::vector<FunctionField> parts_;
 };
 
 /// slope . p + offset.
@@ -58,7 +81,7 @@ inline FunctionField jump(double place) {
 }
 
 /// g(d) with its derivative, d the distance from `centre`; the gradient at the centre itself is zero where
-/// the derivative is finite, as ScalarField asks.
+/// the derivative is finite, as CompositionField asks.
 inline FunctionField radial(std::function<double(double)> g, std::function<double(double)> derivative,
                             const Vec3& centre = Vec3::Zero()) {
   return {[=](const Vec3& p) { return g((p - centre).norm()); },

@@ -9,7 +9,7 @@ namespace fgmesh::test {
 
 /// A solid taken through the stages as the pipeline does, with lengths in proportion to it.
 struct RefinedPart {
-  RefinedPart(const AnalyticSolid& part, const FunctionField& material, double threshold)
+  RefinedPart(const AnalyticSolid& part, const CompositionField& material, double threshold)
       : solid(part),
         samples(part.samples()),
         diagonal(samples.bounds.diagonal()),

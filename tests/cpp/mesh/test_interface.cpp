@@ -10,15 +10,14 @@ namespace {
 /// A vertex inside a solid of one material.
 Vertex inner(int material, double value) {
   Vertex vertex;
-  vertex.material = material;
-  vertex.value = value;
+  vertex.own = {material, {value}, {Vec3(Vec3::Zero())}};
   return vertex;
 }
 
 /// A vertex where materials 0 and 1 meet.
 Vertex between(double value, double other) {
   Vertex vertex = inner(0, value);
-  vertex.others.push_back({1, other, Vec3::Zero()});
+  vertex.others.push_back({1, {other}, {Vec3(Vec3::Zero())}});
   return vertex;
 }
 

@@ -57,8 +57,8 @@ TEST_P(SplitEdge, PutsAVertexOnTheCarrierOfTheEdge) {
   EXPECT_EQ(vertex.carrier.dimension, dimension);
   const Carrier expected = test::carrier_in_box({Vec3::Zero(), Vec3::Constant(3.0)}, middle);
   EXPECT_EQ(vertex.carrier.number, expected.number);
-  EXPECT_DOUBLE_EQ(vertex.value, middle.dot(Vec3(0.1, 0.1, 0.05)));
-  EXPECT_EQ(vertex.gradient, Vec3(0.1, 0.1, 0.05));
+  EXPECT_DOUBLE_EQ(vertex.own.composition[0], middle.dot(Vec3(0.1, 0.1, 0.05)));
+  EXPECT_EQ(vertex.own.gradient[0], Vec3(0.1, 0.1, 0.05));
 
   EXPECT_EQ(mesh.state.complex.tet_count(), before + static_cast<int>(ring.tet.size()));
   EXPECT_EQ(mesh.state.complex.find_edge(a, b), -1);
@@ -165,6 +165,26 @@ TEST(SplitEdgeWhereTheMaterialIsWrong, NamesThePoint) {
       EXPECT_EQ(test::find_fault(mesh.state, mesh.solid), "");
       return;
     }
+  }
+}
+
+TEST(AMaterialOfThreeConstituents, IsRefusedWhereItsFractionsSumUpToMoreThanOne) {
+  const test::Mixture mixture(
+      {test::linear(Vec3(0.4, 0, 0)), test::linear(Vec3(0, 0.4, 0)), test::constant(0.1)});
+  const test::BoxSolid box(Box{Vec3::Zero(), Vec3::Constant(2)});
+  const MeshState state(box, mixture, 0.1, 1.0);
+  Vertex vertex;
+  vertex.position = Vec3(1, 1, 1);
+  ASSERT_TRUE(state.evaluate(vertex));
+  EXPECT_EQ(vertex.own.composition, (Composition{0.4, 0.4, 0.1}));
+  vertex.position = Vec3(1.5, 1.25, 1);
+  try {
+    state.evaluate(vertex);
+    FAIL() << "a sum of 1.2 went through";
+  } catch (const InvalidInput& error) {
+    EXPECT_NE(std::string(error.what()).find("sum up to 1.2, more than 1, at the point (1.5, 1.25, 1)"),
+              std::string::npos)
+        << error.what();
   }
 }
 

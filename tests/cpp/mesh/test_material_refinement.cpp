@@ -91,7 +91,7 @@ TEST_P(MaterialRefinement, KeepsTheThresholdInGoodTetrahedraOnTheTrueBoundary) {
   EXPECT_EQ(count_above(state, part.threshold), 0);
   for (int v = 0; v < state.complex.vertex_slots(); ++v)
     if (state.complex.tet_at(v) >= 0) {
-      EXPECT_EQ(state.vertices[v].value, std::clamp(part.field(state.position(v)), 0.0, 1.0));
+      EXPECT_EQ(state.vertices[v].own.composition[0], std::clamp(part.field(state.position(v)), 0.0, 1.0));
     }
   const AngleRange angles = test::angle_range(state);
   EXPECT_GE(angles.smallest, kSmallestAngle);
@@ -103,6 +103,31 @@ TEST_P(MaterialRefinement, KeepsTheThresholdInGoodTetrahedraOnTheTrueBoundary) {
     EXPECT_LE(ratio, kElementRatio);
     EXPECT_GE(ratio, 3.0) << "no isotropic mesh has fewer tetrahedra";
   }
+}
+
+TEST(MaterialRefinementOfThreeConstituents, KeepsTheThresholdOfTheWholeComposition) {
+  const test::FunctionField first = test::linear(Vec3(0.025, 0, 0), 0.25);
+  const test::FunctionField second =
+      test::radial([](double d) { return d * d / 900; }, [](double d) { return d / 450; });
+  const test::Mixture mixture({first, second});
+  test::RefinedPart refined(*kCube, mixture, 0.1);
+  refined.refine();
+  const MeshState& state = refined.state;
+  EXPECT_EQ(test::find_fault(state, *kCube, 0.026), "");
+  double largest = 0.0;
+  for (int t = 0; t < state.complex.slots(); ++t) {
+    if (!state.complex.tet(t).alive()) continue;
+    for (const auto& [i, j] : kEdgeVertices) {
+      const Vec3 &p = state.position(state.complex.tet(t).vertex[i]),
+                 &q = state.position(state.complex.tet(t).vertex[j]);
+      const double a = first(q) - first(p), b = second(q) - second(p);
+      largest = std::max(largest, std::sqrt(a * a + b * b + (a + b) * (a + b)));
+    }
+  }
+  EXPECT_LE(largest, 0.1);
+  EXPECT_GT(largest, 0.09);
+  EXPECT_NEAR(test::largest_variation(state), largest, 1e-12);
+  EXPECT_GE(test::angle_range(state).smallest, kSmallestAngle);
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, MaterialRefinement, testing::ValuesIn(cases()),

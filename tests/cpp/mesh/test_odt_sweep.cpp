@@ -35,7 +35,7 @@ TEST(UpdateSizes, LetsSizesGrowOnlyAsFastAsAsked) {
     update_sizes(mesh.state, sizing);
     EXPECT_LE(steepest_growth(mesh.state, 0.5), 1.0 + 1e-5) << "corner " << corner;
     for (const Vertex& vertex : mesh.state.vertices) {
-      EXPECT_LE(vertex.size, sizing.at(vertex.gradient) * (1.0 + 1e-12));
+      EXPECT_LE(vertex.size, sizing.at(vertex.own.gradient[0]) * (1.0 + 1e-12));
       EXPECT_GE(vertex.size, 0.01);
     }
   }

@@ -35,7 +35,7 @@ TEST(TetScore, IsTheSameWithAVertexImaginedOrPut) {
   const int v = mesh.state.complex.tet(5).vertex[2];
   Vertex moved = mesh.state.vertices[v];
   moved.position += Vec3(0.11, -0.07, 0.05);
-  moved.value += 0.1;
+  moved.own.composition[0] += 0.1;
   const double imagined = score.with(5, v, moved);
   mesh.state.vertices[v] = moved;
   EXPECT_EQ(imagined, score(5));

@@ -33,7 +33,7 @@ MeshingResult meshed(const std::string& shape, const std::string& formula, const
 
 void expect_complete(const MeshingResult& result) {
   EXPECT_EQ(find_fault(result.mesh), "");
-  EXPECT_EQ(result.fraction.size(), result.mesh.points.size());
+  EXPECT_EQ(result.fractions.size(), 2 * result.mesh.points.size());
   EXPECT_EQ(result.variation.size(), result.mesh.tets.size());
   EXPECT_EQ(result.dihedral_min.size(), result.mesh.tets.size());
   EXPECT_GT(result.peak_memory_mb, 1.0);
@@ -62,7 +62,7 @@ TEST(GenerateMesh, OfABoxKeepsTheThreshold) {
     const Carrier& carrier = result.mesh.carriers[v];
     if (carrier.dimension == 0) corners.insert(carrier.number);
     if (carrier.dimension == 1) edges.insert(carrier.number);
-    EXPECT_NEAR(result.fraction[v], result.mesh.points[v].x() / 10.0, 1e-12);
+    EXPECT_NEAR(result.fractions[2 * v], result.mesh.points[v].x() / 10.0, 1e-12);
   }
   EXPECT_EQ(corners.size(), 8u);
   EXPECT_EQ(edges.size(), 12u);
@@ -111,9 +111,9 @@ TEST(GenerateMesh, OfSecondOrderIsTheStraightMeshWithMoreNodes) {
   EXPECT_EQ(first.dihedral_min, second.dihedral_min);
   const SecondOrderMesh& mesh = second.second_order;
   ASSERT_EQ(mesh.tets.size(), second.mesh.tets.size());
-  ASSERT_EQ(second.fraction.size(), mesh.points.size());
+  ASSERT_EQ(second.fractions.size(), 2 * mesh.points.size());
   for (std::size_t v = 0; v < mesh.points.size(); ++v)
-    EXPECT_NEAR(second.fraction[v], std::pow(mesh.points[v].z() / 15.0, 2), 1e-9);
+    EXPECT_NEAR(second.fractions[2 * v], std::pow(mesh.points[v].z() / 15.0, 2), 1e-9);
   EXPECT_LT(second.deviation_max, 0.1 * first.deviation_max);
   EXPECT_LT(std::abs(second.volume - second.shape_volume),
             0.01 * std::abs(first.volume - first.shape_volume));
@@ -172,7 +172,7 @@ TEST(GenerateMesh, GivesTheSameMeshEachTime) {
   EXPECT_EQ(first.mesh.points, second.mesh.points);
   EXPECT_EQ(first.mesh.tets, second.mesh.tets);
   EXPECT_EQ(first.mesh.triangles, second.mesh.triangles);
-  EXPECT_EQ(first.fraction, second.fraction);
+  EXPECT_EQ(first.fractions, second.fractions);
 }
 
 TEST(GenerateMesh, TellsWhereAJumpIs) {
@@ -228,7 +228,7 @@ TEST(GenerateMesh, TakesAMaterialThatIsOutOfRangeOutsideTheSolidOnly) {
   const MeshingResult result = meshed(test::ball_text(10.0), "d/10", with(0.25));
   EXPECT_EQ(result.status, "ok");
   EXPECT_EQ(find_fault(result.mesh), "");
-  EXPECT_LE(*std::max_element(result.fraction.begin(), result.fraction.end()), 1.0);
+  EXPECT_LE(*std::max_element(result.fractions.begin(), result.fractions.end()), 1.0);
 }
 
 TEST(GenerateMesh, RefusesBadOptionsAndShapesBeforeAllElse) {

@@ -16,17 +16,15 @@ std::size_t sum(const Histogram& histogram) {
   return std::accumulate(histogram.counts.begin(), histogram.counts.end(), std::size_t{0});
 }
 
-/// Four tetrahedra side by side on separate points, with these variations.
-TetMesh separate_tets(const std::vector<double>& variation, std::vector<double>& fraction) {
+/// Tetrahedra side by side on separate points.
+TetMesh separate_tets(std::size_t count) {
   TetMesh mesh;
-  fraction.clear();
-  for (std::size_t t = 0; t < variation.size(); ++t) {
+  for (std::size_t t = 0; t < count; ++t) {
     const Vec3 start(2.0 * t, 0, 0);
     const auto first = static_cast<std::int32_t>(mesh.points.size());
     for (const Vec3& p : {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)})
       mesh.points.push_back(start + p);
     mesh.tets.push_back({first, first + 1, first + 2, first + 3});
-    fraction.insert(fraction.end(), {0.0, 0.0, variation[t], 0.0});
   }
   return mesh;
 }
@@ -34,14 +32,12 @@ TetMesh separate_tets(const std::vector<double>& variation, std::vector<double>&
 TEST(MeshStatistics, OfAGridWithALinearFraction) {
   constexpr int kCells = 4;
   const TetMesh mesh = test::box_grid(3.0, kCells);
-  std::vector<double> fraction;
-  for (const Vec3& p : mesh.points) fraction.push_back(p.x() / 3.0);
   EXPECT_NEAR(volume(mesh), 27.0, 1e-12);
   // Every one of the tetrahedra reaches across its cell.
-  for (const double value : variations(mesh, fraction)) EXPECT_NEAR(value, 0.25, 1e-14);
+  const std::vector<double> variation(mesh.tets.size(), 0.25);
   for (const double angle : smallest_dihedrals(mesh)) EXPECT_NEAR(angle, 45.0, 1e-10);
 
-  const StageReport report = make_stage_report("initial", mesh, variations(mesh, fraction), 0.1);
+  const StageReport report = make_stage_report("initial", mesh, variation, 0.1);
   EXPECT_EQ(report.name, "initial");
   EXPECT_EQ(report.points, 125u);
   EXPECT_EQ(report.tets, 6u * 64u);
@@ -56,19 +52,19 @@ TEST(MeshStatistics, OfAGridWithALinearFraction) {
 
 TEST(MeshStatistics, CountsSumUp) {
   const TetMesh mesh = test::box_grid(1.0, 3);
-  std::vector<double> fraction;
-  for (const Vec3& p : mesh.points) fraction.push_back(p.squaredNorm() / 3.0);
-  const StageReport report = make_stage_report("initial", mesh, variations(mesh, fraction), 0.05);
+  std::vector<double> variation;
+  for (const Vec3& p : mesh.points) variation.push_back(p.squaredNorm() / 3.0);
+  variation.resize(mesh.tets.size());
+  const StageReport report = make_stage_report("initial", mesh, variation, 0.05);
   EXPECT_EQ(sum(report.variation_histogram), mesh.tets.size());
   EXPECT_EQ(sum(report.dihedral_histogram), 6 * mesh.tets.size());
   EXPECT_GT(report.variation_max, 2.0 * 0.05) << "some must fall beyond the bins for this to be a test";
 }
 
 TEST(MeshStatistics, PutsVariationsIntoTheirBins) {
-  std::vector<double> fraction;
   const std::vector<double> variation = {0.0, 0.2501, 0.5, 0.7501, 1.0};
-  const TetMesh mesh = separate_tets(variation, fraction);
-  const StageReport report = make_stage_report("material", mesh, variations(mesh, fraction), 0.25);
+  const TetMesh mesh = separate_tets(variation.size());
+  const StageReport report = make_stage_report("material", mesh, variation, 0.25);
   EXPECT_EQ(report.variation_histogram.low, 0.0);
   EXPECT_DOUBLE_EQ(report.variation_histogram.high, 0.5);
   const std::vector<std::size_t>& counts = report.variation_histogram.counts;
@@ -83,17 +79,14 @@ TEST(MeshStatistics, PutsVariationsIntoTheirBins) {
 }
 
 TEST(MeshStatistics, WhatIsExactlyAtTheThresholdIsNotAbove) {
-  std::vector<double> fraction;
-  const TetMesh mesh = separate_tets({0.125, 0.125 + 1e-12, 0.1}, fraction);
-  EXPECT_EQ(make_stage_report("material", mesh, variations(mesh, fraction), 0.125).above_threshold, 1u);
+  const std::vector<double> variation = {0.125, 0.125 + 1e-12, 0.1};
+  EXPECT_EQ(make_stage_report("material", separate_tets(3), variation, 0.125).above_threshold, 1u);
 }
 
 TEST(MeshStatistics, PutsAnglesIntoTheirBins) {
   // Of the six angles of a corner of a cube three are right, three 54.7 degrees.
-  std::vector<double> fraction;
-  const TetMesh mesh = separate_tets({0.5, 0.5}, fraction);
   const Histogram histogram =
-      make_stage_report("initial", mesh, variations(mesh, fraction), 0.1).dihedral_histogram;
+      make_stage_report("initial", separate_tets(2), {0.5, 0.5}, 0.1).dihedral_histogram;
   EXPECT_EQ(histogram.low, 0.0);
   EXPECT_EQ(histogram.high, 180.0);
   const double width = 180.0 / static_cast<double>(histogram.counts.size());

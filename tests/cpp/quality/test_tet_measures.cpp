@@ -138,14 +138,5 @@ TEST(Edges, AndTheirOppositesShareNoVertex) {
       EXPECT_TRUE(v != kEdgeVertices[5 - e][0] && v != kEdgeVertices[5 - e][1]) << "edge " << e;
 }
 
-TEST(CompositionVariation, IsTheLargestDifferenceOfTwoVertices) {
-  std::array<double, 4> value = {0.1, 0.35, 0.6, 0.2};
-  std::sort(value.begin(), value.end());
-  do {
-    EXPECT_DOUBLE_EQ(composition_variation(value[0], value[1], value[2], value[3]), 0.5);
-  } while (std::next_permutation(value.begin(), value.end()));
-  EXPECT_EQ(composition_variation(0.3, 0.3, 0.3, 0.3), 0.0);
-}
-
 }  // namespace
 }  // namespace fgmesh
