@@ -68,12 +68,8 @@
       <translation>d{} anklicken ...</translation>
     </message>
     <message>
-      <source>Constituent 1</source>
-      <translation>Bestandteil 1</translation>
-    </message>
-    <message>
-      <source>Constituent 2</source>
-      <translation>Bestandteil 2</translation>
+      <source>Constituent {}</source>
+      <translation>Bestandteil {}</translation>
     </message>
     <message>
       <source>Cut</source>
@@ -252,8 +248,12 @@
       <translation>Nichts wurde geändert: {}</translation>
     </message>
     <message>
-      <source>On the solid: {} to {}</source>
-      <translation>Im Festkörper: {} bis {}</translation>
+      <source>On the solid: {}</source>
+      <translation>Im Festkörper: {}</translation>
+    </message>
+    <message>
+      <source>One constituent more, and a formula for the one that was the last</source>
+      <translation>Ein Bestandteil mehr, und eine Formel für den bisher letzten</translation>
     </message>
     <message>
       <source>Open</source>
@@ -440,12 +440,12 @@
       <translation>Variation im Tetraeder</translation>
     </message>
     <message>
-      <source>Volume fraction of constituent 1</source>
-      <translation>Volumenanteil von Bestandteil 1</translation>
+      <source>Volume fraction of constituent {}</source>
+      <translation>Volumenanteil von Bestandteil {}</translation>
     </message>
     <message>
-      <source>Volume fraction of the first constituent, 0 to 1, over x y z r theta d (mm, radians, in the material's frame), the parameters, and d1 d2 ..., the distances to the references</source>
-      <translation>Volumenanteil des ersten Bestandteils, 0 bis 1, aus x y z r theta d (mm, Bogenmaß, im Bezugssystem des Materials), den Parametern und d1 d2 ..., den Abständen zu den Referenzen</translation>
+      <source>Volume fraction, 0 to 1, over x y z r theta d (mm, radians, in the material's frame), the parameters, and d1 d2 ..., the distances to the references; the last constituent is what the others leave</source>
+      <translation>Volumenanteil, 0 bis 1, aus x y z r theta d (mm, Bogenmaß, im Bezugssystem des Materials), den Parametern und d1 d2 ..., den Abständen zu den Referenzen; der letzte Bestandteil ist, was die anderen übrig lassen</translation>
     </message>
     <message>
       <source>Write a formula, or choose a ready grading above</source>
@@ -500,12 +500,8 @@
       <translation>Facetten</translation>
     </message>
     <message>
-      <source>fraction of constituent 1</source>
-      <translation>Anteil von Bestandteil 1</translation>
-    </message>
-    <message>
-      <source>fraction of constituent 2</source>
-      <translation>Anteil von Bestandteil 2</translation>
+      <source>fraction of constituent {}</source>
+      <translation>Anteil von Bestandteil {}</translation>
     </message>
     <message>
       <source>fraction of {}</source>
@@ -636,6 +632,10 @@ max {max:.4f}</translation>
     <message>
       <source>{} tetrahedra, variation up to {}, angles from {} to {} degrees</source>
       <translation>{} Tetraeder, Variation bis {}, Winkel von {} bis {} Grad</translation>
+    </message>
+    <message>
+      <source>{} to {}</source>
+      <translation>{} bis {}</translation>
     </message>
     <message>
       <source>{}: {} is no length; write for example 0.5 mm</source>
