@@ -126,7 +126,7 @@ def cube():
     fraction = points[:, 0] / 2
     cube = SimpleNamespace(
         points=points,
-        fraction=fraction,
+        fractions=np.column_stack([fraction, 1 - fraction]),
         tets=tets,
         tet_solids=np.ones(len(tets), np.int32),
         variation=np.ptp(fraction[tets], axis=1),

@@ -12,7 +12,7 @@ import pytest
 from freecad.fgmesh import _core
 
 ALPHA = 0.08
-FLOATS = {"points", "fraction", "variation", "dihedral_min"}
+FLOATS = {"points", "fractions", "variation", "dihedral_min"}
 """The arrays of a result that are not of int32."""
 
 
@@ -62,7 +62,7 @@ def test_material_in_a_frame():
     turn = [[0, -1, 0], [1, 0, 0], [0, 0, 1]]
     material = _core.Material(["x"], origin=(1, 2, 3), rotation=turn)
     # The frame's x axis is the world's y.
-    assert material.evaluate([[7.0, 5.0, 9.0]]) == pytest.approx([[3.0, -2.0]])
+    assert material.evaluate([[7.0, 5.0, 9.0]]) == pytest.approx(np.array([[3.0, -2.0]]))
     np.testing.assert_array_equal(material.gradients([[7.0, 5.0, 9.0]])[:, 0], [[0, 1, 0]])
     np.testing.assert_array_equal(material.origin, [1, 2, 3])
     np.testing.assert_array_equal(material.rotation, turn)
@@ -87,7 +87,7 @@ def test_points_of_any_layout_are_read_right(material, points):
 def test_evaluation_lets_other_threads_run():
     slow = _core.Material(["+".join(["sin(x*y)^1.5"] * 50)])
     many = np.zeros((400_000, 3))
-    worker = threading.Thread(target=slow.gradient, args=(many,))
+    worker = threading.Thread(target=slow.gradients, args=(many,))
     worker.start()
     turns = 0
     while worker.is_alive():
@@ -177,7 +177,7 @@ def test_arrays_are_views_of_the_result(result):
     for name, columns in counts.items():
         array = getattr(result, name)
         assert array.ndim == 2 and array.shape[1] == columns, name
-    names = [*counts, "tet_solids", "triangle_faces", "fraction", "variation", "dihedral_min"]
+    names = [*counts, "tet_solids", "triangle_faces", "fractions", "variation", "dihedral_min"]
     for name in names:
         array, again = getattr(result, name), getattr(result, name)
         assert array.dtype == (np.float64 if name in FLOATS else np.int32), name

@@ -126,7 +126,7 @@ def test_shape(refused, shapes, name, status, message):
         (["--reference", "Face7"], "the reference Face7 is lost: the shape ends with Face6"),
         (["--reference", "Top"], "'Top' names no part"),
         (["--table", "t.csv"], "not available yet"),
-        (["--fraction", "1.5-x/10"], "the volume fractions sum up to 1.5, more than 1,"),
+        (["--fraction", "1-x/20"], "the volume fractions sum up to 1.5, more than 1,"),
         (["--fraction", "y/10+w"], "formula 2: unknown name 'w'"),
         (["--stop-after", "never"], "invalid choice"),
         (["--origin", "1,2"], "X,Y,Z"),

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The materials that a solid may be made of: FreeCAD's cards, the user's own, and those of the document."""
+import sys
 from pathlib import Path
 
 import FreeCAD
@@ -41,13 +42,21 @@ def properties(name, document):
     return _card(path) if path else {}
 
 
+def _reader_of_cards():
+    """FreeCAD's own, which only its windows and its command line have on their path."""
+    try:
+        import importFCMat
+    except ImportError:
+        sys.path.append(str(Path(FreeCAD.getResourceDir()) / "Mod" / "Material"))
+        import importFCMat
+    return importFCMat
+
+
 def _card(path):
     try:
         import Materials  # FreeCAD 1.x
     except ImportError:
-        import importFCMat
-
-        return dict(importFCMat.read(path))
+        return dict(_reader_of_cards().read(path))
     stem = Path(path).stem
     for material in Materials.MaterialManager().Materials.values():
         if material.Name in (stem, stem.replace("-", " ")):
