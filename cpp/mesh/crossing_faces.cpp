@@ -19,8 +19,7 @@ namespace {
 /// both, faces may meet: neighbours do, and sloppy ones cross there within their tolerance.
 constexpr double kTouching = 1e-7, kBorder = 1e-3;
 
-/// Sines between normals; the second where one face goes over into the other, as at the tip of a wedge.
-constexpr double kTangent = 0.05, kCusp = 2e-3;
+constexpr double kTangent = 0.05;  // sine between normals
 
 class CrossingSearch {
  public:
@@ -49,18 +48,16 @@ class CrossingSearch {
     Vec3 away, outward;  ///< from the edge along the face, and out of the solid
   };
 
-  /// Where two faces of a solid lie upon each other at an edge, it or the gap between them has no thickness.
-  /// A solid that has more than two faces at an edge touches itself there.
+  /// A solid that has more than two faces at an edge touches itself there. Where two of these lie upon each
+  /// other, it or the gap between them has no thickness.
   void look_along(const SampledBoundary::Curve& curve) {
-    if (curve.faces.size() < 2) return;
-    for (const auto& [solid, sides] : sides_at(curve)) {
-      const double least_sine = sides.size() > 2 ? kTangent : kCusp;
-      for (std::size_t i = 0; i < sides.size(); ++i)
+    if (curve.faces.size() < 3) return;
+    for (const auto& [solid, sides] : sides_at(curve))
+      for (std::size_t i = 0; i < sides.size() && sides.size() > 2; ++i)
         for (std::size_t k = i + 1; k < sides.size(); ++k)
           if (sides[i].away.dot(sides[k].away) > 0.0 && sides[i].outward.dot(sides[k].outward) < 0.0 &&
-              sides[i].outward.cross(sides[k].outward).norm() < least_sine)
+              sides[i].outward.cross(sides[k].outward).norm() < kTangent)
             refuse_tangent(sides[i].face, sides[k].face, curve.edge);
-    }
   }
 
   /// Of each solid at the middle of an edge.

@@ -156,6 +156,7 @@ write("FGMeshMaterialThreshold", "0.2")
 click("FGMeshStart")
 wait_until(lambda: document.getObject("FGMesh") is not None and widget("FGMeshStart").isEnabled(), 120)
 click("FGMeshOpenReport")
+wait_until(lambda: is_shown("FGMeshStages"))
 looks = [widget("FGMeshLook").itemText(row) for row in range(widget("FGMeshLook").count())]
 choose("FGMeshLook", "fraction of Copper-Generic")
 picture(f"{pictures}/report-three.png")

@@ -333,7 +333,7 @@ def test_two_runs_give_the_same_bytes(brep):
         return core.generate_mesh(brep("drilled"), core.Material(["0.5 + 0.5*tanh((x-8)/5)"]), options)
 
     first, second = run(), run()
-    for name in ("points", "carriers", "tets", "triangles", "triangle_faces", "edges", "fraction"):
+    for name in ("points", "carriers", "tets", "triangles", "triangle_faces", "edges", "fractions"):
         assert getattr(first, name).tobytes() == getattr(second, name).tobytes(), name
 
 

@@ -102,7 +102,7 @@ def test_corners_are_those_of_the_straight_mesh(case):
     assert straight.tets.shape[1] == 4 and len(straight.straightened) == 0
     for array, columns in ("tets", 4), ("triangles", 3), ("edges", 2):
         assert np.array_equal(getattr(result, array)[:, :columns], getattr(straight, array)), array
-    for array in ("points", "carriers", "fraction"):
+    for array in ("points", "carriers", "fractions"):
         assert np.array_equal(getattr(result, array)[:n], getattr(straight, array)), array
     for array in ("variation", "dihedral_min", "above_threshold", "tet_solids", "triangle_faces"):
         assert np.array_equal(getattr(result, array), getattr(straight, array)), array
@@ -210,5 +210,5 @@ def test_two_runs_give_the_same_bytes():
     brep = shape("torus").exportBrepToString().encode()
     options = core.MeshingOptions(order=2, material_threshold=0.3, **COARSE)
     first, second = (core.generate_mesh(brep, core.Material(["0.5 + x/50"]), options) for _ in range(2))
-    for name in ("points", "carriers", "tets", "triangles", "edges", "fraction", "straightened"):
+    for name in ("points", "carriers", "tets", "triangles", "edges", "fractions", "straightened"):
         assert getattr(first, name).tobytes() == getattr(second, name).tobytes(), name
