@@ -44,9 +44,9 @@ def cusp():
 
 
 def chisel():
-    """A pyramid over a base of 0.5 x 10 mm: all its edges are blunt, but not the corners of two of its faces."""
+    """A pyramid over a base of 0.24 x 10 mm: all its edges are blunt, but not the corners of two of its faces."""
     tip = vector(0, 0, 10)
-    base = [vector(x, y, 0) for x, y in ((-0.25, -5), (0.25, -5), (0.25, 5), (-0.25, 5))]
+    base = [vector(x, y, 0) for x, y in ((-0.12, -5), (0.12, -5), (0.12, 5), (-0.12, 5))]
     outlines = [base, *([base[i - 1], base[i], tip] for i in range(4))]
     faces = [part().Face(part().makePolygon([*points, points[0]])) for points in outlines]
     return part().Solid(part().Shell(faces))
@@ -124,7 +124,7 @@ def test_a_sharp_edge_forces_small_angles(shape, degrees, thickness):
 
 def test_a_sharp_corner_of_a_face_forces_small_angles():
     result = meshed(chisel(), min_size=0.6)  # else walls are refined until no angle is small
-    angle = 2 * math.degrees(math.atan(0.25 / math.hypot(10, 5)))
+    angle = 2 * math.degrees(math.atan(0.12 / math.hypot(10, 5)))
     (message,) = (message for message in result.messages if "the shape forces" in message)
     assert "two edges of Face" in message and f" meet at {angle:.3g} degrees at (0, 0, 10) mm" in message
     at_tip = np.linalg.norm(result.points - [0, 0, 10], axis=1) < 1e-7
