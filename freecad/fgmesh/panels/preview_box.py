@@ -15,8 +15,12 @@ from freecad.fgmesh.view.preview import Preview
 from freecad.fgmesh.view.texts import number_text, translate
 
 
+_ROUNDING = 1e-12
+
+
 def range_text(ranges):
     """What `PreviewBox.looked_at` gives, in words. Of two constituents the first tells all."""
+    ranges = np.where(np.abs(ranges) < _ROUNDING, 0.0, ranges)  # of a remainder
     spans = [
         translate("{} to {}").format(number_text(low, ".4g"), number_text(high, ".4g"))
         for low, high in ranges
