@@ -25,7 +25,7 @@ TEST(CompositionVariation, OfThreeConstituentsIsThatOfTheWholeVectors) {
   EXPECT_DOUBLE_EQ(difference({1.0, 0.0}, {0.0, 0.0}), std::sqrt(2.0));
   // (0.2, 0.3, 0.5) and (0.3, 0.1, 0.6)
   EXPECT_DOUBLE_EQ(difference({0.2, 0.3}, {0.3, 0.1}), std::sqrt(0.01 + 0.04 + 0.01));
-  const Composition a = {0.2, 0.3}, b = {0.25, 0.3}, c = {0.3, 0.1};
+  const Composition a = {0.2, 0.3}, b = {0.25, 0.2}, c = {0.3, 0.1};
   EXPECT_DOUBLE_EQ(composition_variation(a, b, b, c), difference(a, c));
   EXPECT_DOUBLE_EQ(composition_variation(b, c, a, b), difference(a, c));
 }
