@@ -27,17 +27,18 @@ LIBRARIES = {
 }
 """Library: its headers, and the folders of cpp/ that may include them."""
 
-MODEL = {"core", "model"}
+MODEL = {"core", "mixing", "model"}
 PYTHON_LAYERS = {
     "colours": set(),
     "core": {"_core"},
     "io": {"core"},
+    "mixing": {"core"},
     "worker": {"core"},
     "cli": {"core", "io", "worker"},
     "__main__": {"cli"},
     "pictures": {"colours", "core", "io"},
-    "model": {"core"},
-    "fem": {"core", "io", "model", "worker"},
+    "model": {"core", "mixing"},
+    "fem": MODEL | {"io", "worker"},
     "view": MODEL | {"colours", "fem"},
     "panels": MODEL | {"colours", "fem", "io", "pictures", "view", "worker"},
     "commands": MODEL | {"colours", "fem", "view", "panels", "worker"},
@@ -46,7 +47,7 @@ PYTHON_LAYERS = {
 }
 """Module or folder of freecad/fgmesh/: the others that it may import."""
 
-WITHOUT_FREECAD = {"core", "io", "worker", "cli", "__main__", "colours", "pictures", "__init__"}
+WITHOUT_FREECAD = {"core", "io", "mixing", "worker", "cli", "__main__", "colours", "pictures", "__init__"}
 WITH_GUI = {"view", "panels", "commands", "init_gui"}
 FREECAD = {
     "FreeCAD",
