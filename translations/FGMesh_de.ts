@@ -168,6 +168,10 @@
       <translation>Gruppen</translation>
     </message>
     <message>
+      <source>How many times longer elements may be across the gradient than along it; 1: isotropic</source>
+      <translation>Wie viele Male länger Elemente quer zum Gradienten sein dürfen als längs; 1: isotrop</translation>
+    </message>
+    <message>
       <source>In the view</source>
       <translation>In der Ansicht</translation>
     </message>
@@ -186,10 +190,6 @@
     <message>
       <source>Largest size</source>
       <translation>Max. Elementgröße</translation>
-    </message>
-    <message>
-      <source>Largest stretch of an element across the gradient; 1: isotropic (more is not available yet)</source>
-      <translation>Größte Streckung eines Elements quer zum Gradienten; 1: isotrop (mehr gibt es noch nicht)</translation>
     </message>
     <message>
       <source>Largest variation</source>

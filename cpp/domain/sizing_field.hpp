@@ -13,6 +13,7 @@ struct SizingField {
   double min_size = 0.0;  ///< mm
   double max_size = 1.0;  ///< mm
   double growth = 0.5;
+  double anisotropy = 1.0;  ///< how many times longer elements may be across the gradient than along it
 
   double at(const Vec3& gradient) const;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/odt_smoothing.hpp"
 
+#include "mesh/stretch.hpp"
 #include "mesh/swap.hpp"
 
 namespace fgmesh {
@@ -22,11 +23,14 @@ Vec3 target_in_solid(const MeshState& state, int v, const std::vector<int>& star
     const int* others = kFaceVertices[state.complex.tet(t).index_of(v)];
     const Vertex &b = state.vertices[index[others[0]]], &c = state.vertices[index[others[1]]],
                  &d = state.vertices[index[others[2]]];
-    const Vec3 ab = b.position - p, ac = c.position - p, ad = d.position - p;
+    const Stretch stretch{&state.vertices[v]};
+    const Vec3 ab = way_in_layers(state.vertices[v], b), ac = way_in_layers(state.vertices[v], c),
+               ad = way_in_layers(state.vertices[v], d);
     const double size = 0.25 * (state.vertices[v].size + b.size + c.size + d.size);
-    const double density = 1.0 / (size * size * size);
+    const double longer = Stretch{&state.vertices[v], &b, &c, &d}.factor();
+    const double density = 1.0 / (size * size * size * longer * longer);
     weights += density * ab.cross(ac).dot(ad) / 6.0;
-    sum += density * weighted_circumcentre(ab, ac, ad);
+    sum += density * stretch.back(weighted_circumcentre(ab, ac, ad));
   }
   return weights > 0.0 ? Vec3(p + sum / weights) : p;
 }
@@ -44,15 +48,17 @@ Vec3 target_on_face(const MeshState& state, int v, const std::vector<int>& star)
       for (int j = 0, k = 0; j < 4; ++j)
         if (j != i && j != own) other[k++] = tet.vertex[j];
       const Vertex &b = state.vertices[other[0]], &c = state.vertices[other[1]];
-      const Vec3 ab = b.position - p, ac = c.position - p, normal = ab.cross(ac);
+      const Stretch stretch{&state.vertices[v]};
+      const Vec3 ab = way_in_layers(state.vertices[v], b), ac = way_in_layers(state.vertices[v], c),
+                 normal = ab.cross(ac);
       const double twice_area = normal.norm();
       if (!(twice_area > 0.0)) continue;
-      const double size = (state.vertices[v].size + b.size + c.size) / 3.0;
+      const double size = stretch.factor() * (state.vertices[v].size + b.size + c.size) / 3.0;
       const double weight = twice_area / (size * size);
       const Vec3 centre = (ab.squaredNorm() * ac.cross(normal) + ac.squaredNorm() * normal.cross(ab)) /
                           (2.0 * twice_area * twice_area);
       weights += weight;
-      sum += weight * centre;
+      sum += weight * stretch.back(centre);
     }
   }
   return weights > 0.0 ? Vec3(p + sum / weights) : p;
@@ -70,21 +76,22 @@ Vec3 target_on_edge(const MeshState& state, int v, const std::vector<int>& star)
   double weights = 0.0;
   for (int w : neighbours) {
     const Vec3 way = state.position(w) - p;
-    const double weight = 2.0 * way.norm() / (state.vertices[v].size + state.vertices[w].size);
+    const Stretch stretch{&state.vertices[v], &state.vertices[w]};
+    const double size = 0.5 * stretch.factor() * (state.vertices[v].size + state.vertices[w].size);
+    const double weight = std::sqrt(stretch.squared_length(way)) / size;
     weights += weight;
     sum += 0.5 * weight * way;
   }
   return weights > 0.0 ? Vec3(p + sum / weights) : p;
 }
 
-/// Smallest ratio of volume to cubed size over the star, with v imagined at `p`.
-double flatness(const MeshState& state, int v, const Vec3& p, const std::vector<int>& star) {
+/// The flattest tetrahedron of the star, with v imagined elsewhere.
+double flatness(const MeshState& state, int v, const Vertex& moved, const std::vector<int>& star) {
   double worst = 1.0;
   for (int t : star) {
     const std::array<int, 4>& index = state.complex.tet(t).vertex;
-    const auto at = [&](int i) -> const Vec3& { return index[i] == v ? p : state.position(index[i]); };
-    const double squared = squared_edges(at(0), at(1), at(2), at(3));
-    worst = std::min(worst, orientation(at(0), at(1), at(2), at(3)) / (squared * std::sqrt(squared)));
+    const auto at = [&](int i) -> const Vertex& { return index[i] == v ? moved : state.vertices[index[i]]; };
+    worst = std::min(worst, StretchedTet(at(0), at(1), at(2), at(3)).flatness());
   }
   return worst;
 }
@@ -98,6 +105,7 @@ void update_sizes(MeshState& state, const SizingField& sizing) {
       vertex.size = std::min(vertex.size, sizing.at(steepest(other.gradient)));
   }
   limit_growth(state, sizing.growth);
+  update_stretches(state, sizing);
 }
 
 Vec3 odt_target(const MeshState& state, int v, const std::vector<int>& star) {
@@ -122,11 +130,11 @@ void odt_sweep(MeshState& state, double damping, RunControl& control) {
     if (state.complex.tet_at(v) < 0 || vertex.frozen || vertex.is_fixed()) continue;
     state.complex.star(v, star);
     const Vec3 way = damping * (odt_target(state, v, star) - vertex.position);
-    const double least = std::min(kFlat, flatness(state, v, vertex.position, star));
+    const double least = std::min(kFlat, flatness(state, v, vertex, star));
     for (double part = 1.0; part > 0.2; part *= 0.5) {
       const std::optional<Vertex> moved = state.moved(vertex, vertex.position + part * way);
       if (!moved || !keeps_surface(state, v, *moved, star)) continue;
-      if (!(flatness(state, v, moved->position, star) > std::max(1e-6, least))) continue;
+      if (!(flatness(state, v, *moved, star) > std::max(1e-6, least))) continue;
       const double size = vertex.size;
       state.vertices[v] = *moved;
       state.vertices[v].size = size;

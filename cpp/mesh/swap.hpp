@@ -6,6 +6,7 @@
 
 #include "core/run_control.hpp"
 #include "mesh/mesh_state.hpp"
+#include "mesh/stretch.hpp"
 #include "mesh/tet_score.hpp"
 
 namespace fgmesh {
@@ -22,19 +23,19 @@ class SwapObjective {
 };
 
 /// The ODT energy for fixed vertices: the interpolation error of |x|^2, sum of |T| times the squared edges
-/// (Chen and Xu 2004). Its minimum is the Delaunay triangulation, so lowering it by swaps leads there.
+/// (Chen and Xu 2004), in the stretched space where elements are to be anisotropic. Its minimum is the
+/// Delaunay triangulation, so lowering it by swaps leads there.
 class OdtEnergy final : public SwapObjective {
  public:
   /// Tetrahedra that vary by more than `most_variation` are not made.
   explicit OdtEnergy(const MeshState& state, double most_variation = std::numeric_limits<double>::infinity())
       : state_(state), most_variation_(most_variation) {}
   double cost(const std::array<int, 4>& v) const override {
-    const Vec3 &a = state_.position(v[0]), &b = state_.position(v[1]), &c = state_.position(v[2]),
-               &d = state_.position(v[3]);
-    const double squared = squared_edges(a, b, c, d), volume = orientation(a, b, c, d);
-    if (!(volume > 1e-6 * squared * std::sqrt(squared)) || state_.variation(v) > most_variation_)
+    const auto& x = state_.vertices;
+    const StretchedTet tet(x[v[0]], x[v[1]], x[v[2]], x[v[3]]);
+    if (!(tet.flatness() > 1e-6) || state_.variation(v) > most_variation_)
       return std::numeric_limits<double>::infinity();
-    return volume * squared;
+    return tet.volume * tet.squared_edges;
   }
   double join(double a, double b) const override { return a + b; }
   double nothing() const override { return std::numeric_limits<double>::infinity(); }

@@ -3,6 +3,14 @@
 
 namespace fgmesh {
 
+QualityGoal quality_goal(double anisotropy) {
+  QualityGoal goal;
+  const double less = std::pow(anisotropy, -0.3);
+  goal.smallest_angle *= less;
+  goal.largest_angle = 180.0 - less * (180.0 - goal.largest_angle);
+  return goal;
+}
+
 double TetScore::of(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& d) const {
   if (!is_positive(a.position, b.position, c.position, d.position)) {
     const double squared = squared_edges(a.position, b.position, c.position, d.position);

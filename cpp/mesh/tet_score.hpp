@@ -16,6 +16,9 @@ struct QualityGoal {
   bool material = true;          ///< the material threshold counts too
 };
 
+/// What can be asked for of elements that may be `anisotropy` times longer across the gradient than along it.
+QualityGoal quality_goal(double anisotropy);
+
 /// How far a tetrahedron is from its goals: 1 where every one of them is met, less by the ratio to the goal
 /// that it misses most. Negative, and the lower the more it is turned over, where it is not positively
 /// oriented. Angles and material count alike, so that one acceptance test serves both.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/threshold_relaxation.hpp"
 
+#include "mesh/stretch.hpp"
+
 namespace fgmesh {
 namespace {
 
@@ -61,9 +63,7 @@ StarState star_state(const MeshState& state, int v, const Vertex& moved, const s
   for (int t : star) {
     const std::array<int, 4>& index = state.complex.tet(t).vertex;
     const auto at = [&](int i) -> const Vertex& { return index[i] == v ? moved : state.vertices[index[i]]; };
-    const Vec3 &a = at(0).position, &b = at(1).position, &c = at(2).position, &d = at(3).position;
-    const double squared = squared_edges(a, b, c, d);
-    result.flatness = std::min(result.flatness, orientation(a, b, c, d) / (squared * std::sqrt(squared)));
+    result.flatness = std::min(result.flatness, StretchedTet(at(0), at(1), at(2), at(3)).flatness());
     result.variation = std::max(result.variation, variation(at(0), at(1), at(2), at(3)));
   }
   return result;

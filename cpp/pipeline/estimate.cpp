@@ -46,6 +46,7 @@ MeshEstimate estimate_mesh(const std::string& shape, const std::vector<const Com
   WantedMesh wanted;
   wanted.material = options.stop_after != "initial";
   wanted.threshold = options.material_threshold;
+  wanted.sizing = material_sizing(options);
   wanted.min_size = options.min_size;
   if (size > options.max_size) {
     wanted.max_size = options.max_size;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mesh/steiner_points.hpp"
+#include "mesh/stretch.hpp"
 #include "quality/tet_measures.hpp"
 
 namespace fgmesh {
@@ -15,7 +16,8 @@ namespace {
 
 // Fitted to some 130 meshes of 30 parts, from 200 to 200000 tetrahedra; bench/estimate shows what they are
 // worth. Tetrahedra ...
-constexpr double kMaterialTets = 6.8;   // ... in a cube in which a linear f varies by the threshold
+constexpr double kMaterialTets = 6.5;   // ... in a cube in which a linear f varies by the threshold
+constexpr double kStretch = 1.7;        // power of the stretch by which they are fewer; 2 far from boundaries
 constexpr double kDeviationTets = 9.3;  // ... in a cube of the edge that the surface deviation wants
 /// Edges shorter than two MinSize are left as they are, so the mean is about 1.4: 8.5 regular tetrahedra fill
 /// the cube of their edge.
@@ -28,6 +30,7 @@ struct Corner {
   Vec3 place = Vec3::Zero();
   Composition composition;  ///< NaN where it is not defined
   double slope = 0.0;       ///< |grad f|, 1/mm
+  double stretch = 1.0;     ///< of elements across the gradient
   double initial = 0.0;     ///< size that the initial mesh is to have, mm; infinite where it has it
   double deviation = 0.0;   ///< size that the surface deviation asks for, mm
 };
@@ -98,9 +101,13 @@ class Division {
     return piece;
   }
 
-  static void put_material(const MaterialValue& found, Corner& corner) {
+  void put_material(const MaterialValue& found, Corner& corner) const {
     corner.composition = found.composition;
-    corner.slope = steepest(found.gradient).norm();
+    const Vec3 gradient = steepest(found.gradient);
+    corner.slope = gradient.norm();
+    corner.stretch = 1.0 + pull_at(state_.materials().field(found.material), corner.place, gradient,
+                                   wanted_.sizing.at(gradient), wanted_.sizing)
+                               .norm();
   }
 
   void put_sizes(Corner& corner) const {
@@ -174,7 +181,8 @@ class Division {
       if (wanted_.material) {
         const double steep = std::max(hidden, corner.slope) / wanted_.threshold;
         const double finest = kFinestTets / cube(wanted_.min_size);
-        density = std::hypot(density, std::min(finest, kMaterialTets * cube(steep)));
+        density = std::hypot(
+            density, std::min(finest, kMaterialTets * cube(steep) / std::pow(corner.stretch, kStretch)));
       }
       sum += std::hypot(density, density_of(corner.deviation, kDeviationTets, piece));
     }

@@ -182,10 +182,12 @@ MeshingResult generate_mesh(const std::string& shape, const std::vector<const Co
   std::vector<Carrier> bridged;
   NodeFractions fractions = run_stage("initial", state, result, control,
                                       [&] { bridged = make_initial_mesh(start, options.max_size, control); });
+  const QualityGoal goal = quality_goal(options.anisotropy);
   if (options.stop_after != "initial") {
     fractions = run_stage("material", state, result, control, [&] {
       MaterialRefinementOptions refinement;
-      refinement.sizing = {0.8 * options.material_threshold, options.min_size, options.max_size, 0.5};
+      refinement.sizing = material_sizing(options);
+      refinement.goal = goal;
       refine_material(state, refinement, control);
     });
   }
@@ -194,6 +196,7 @@ MeshingResult generate_mesh(const std::string& shape, const std::vector<const Co
       GeometryRefinementOptions refinement;
       refinement.deviation = options.surface_deviation;
       refinement.min_size = options.min_size;
+      refinement.goal = goal;
       refine_geometry(state, refinement, control);
       if (asked.surface_deviation == 0.0)
         options.surface_deviation = refine_to_volume(state, refinement, model, control);

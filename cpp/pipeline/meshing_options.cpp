@@ -30,8 +30,7 @@ void MeshingOptions::validate() const {
   check_length("max_size", max_size);
   if (min_size > 0.0 && max_size > 0.0 && min_size > max_size)
     refuse("min_size", min_size, "at most max_size");
-  if (!(anisotropy >= 1.0 && std::isfinite(anisotropy))) refuse("anisotropy", anisotropy, "at least 1");
-  if (anisotropy > 1.0) throw InvalidInput("anisotropy above 1 is not available yet");
+  if (!(anisotropy >= 1.0 && anisotropy <= 10.0)) refuse("anisotropy", anisotropy, "from 1 to 10");
   if (order != 1 && order != 2) refuse("order", order, "1 or 2");
   if (stop_after != "initial" && stop_after != "material" && stop_after != "geometry")
     refuse("stop_after", '"' + stop_after + '"', "\"initial\", \"material\" or \"geometry\"");

@@ -19,7 +19,9 @@ struct MeshingOptions {
   double min_size = 0.0;
   /// Edges much longer than this are split, mm; 0: the diagonal of the part / 8.
   double max_size = 0.0;
-  /// Largest stretch of an element across the gradient; 1: isotropic.
+  /// How many times longer elements may be across the gradient than along it, from 1, isotropic, to 10. They
+  /// are less where level sets are bent or max_size is in the way. Angles of 15 to 157 degrees, that
+  /// isotropic elements are held to, become wider with it: 10.8 to 163.5 at 3.
   double anisotropy = 1.0;
   /// 1: four-node tetrahedra; 2: ten-node tetrahedra.
   int order = 1;

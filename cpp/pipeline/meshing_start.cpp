@@ -61,6 +61,15 @@ MeshingStart::MeshingStart(const std::string& shape, const std::vector<const Com
                           [&] { require_no_crossing_faces(samples, model, control); });
 }
 
+SizingField material_sizing(const MeshingOptions& options) {
+  SizingField sizing;
+  sizing.constant = 0.8 * options.material_threshold;
+  sizing.min_size = options.min_size;
+  sizing.max_size = options.max_size;
+  sizing.anisotropy = options.anisotropy;
+  return sizing;
+}
+
 std::vector<Carrier> make_initial_mesh(MeshingStart& start, double size, RunControl& control) {
   start.state.chord_limit = initial_deviation(size);
   const MeshingOptions& options = start.options;

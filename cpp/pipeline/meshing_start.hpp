@@ -6,6 +6,7 @@
 
 #include "brep/brep_model.hpp"
 #include "core/run_control.hpp"
+#include "domain/sizing_field.hpp"
 #include "mesh/mesh_state.hpp"
 #include "pipeline/meshing_options.hpp"
 
@@ -28,6 +29,9 @@ struct MeshingStart {
 
 /// How far facets of an initial mesh of elements of `size` may be from the true boundary, mm.
 inline double initial_deviation(double size) { return size / 20.0; }
+
+/// The sizes that the material-oriented refinement is to give elements, for options without defaults.
+SizingField material_sizing(const MeshingOptions& options);
 
 /// Fills start.state with the initial mesh, of elements of start.options.max_size or of another `size`, mm.
 /// Returns the parts of the shape that may have been bridged.

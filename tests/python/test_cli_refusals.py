@@ -122,7 +122,7 @@ def test_shape(refused, shapes, name, status, message):
         (["--time-limit", "0"], "above 0"),
         (["--memory-limit", "-5"], "above 0"),
         (["--order", "3"], "invalid choice"),
-        (["--anisotropy", "2"], "not available yet"),
+        (["--anisotropy", "0.5"], "from 1 to 10"),
         (["--reference", "Face7"], "the reference Face7 is lost: the shape ends with Face6"),
         (["--reference", "Top"], "'Top' names no part"),
         (["--table", "t.csv"], "not available yet"),

@@ -59,7 +59,7 @@ OPTIONS = (
         "App::PropertyFloat",
         TRANSLATE_LATER(
             "FGMesh",
-            "Largest stretch of an element across the gradient; 1: isotropic (more is not available yet)",
+            "How many times longer elements may be across the gradient than along it; 1: isotropic",
         ),
     ),
     Option(

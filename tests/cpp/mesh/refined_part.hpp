@@ -22,9 +22,10 @@ struct RefinedPart {
   double max_size() const { return diagonal / 8.0; }
   double min_size() const { return diagonal / 2000.0; }
 
-  void refine() {
+  void refine(double anisotropy = 1.0) {
     MaterialRefinementOptions options;
-    options.sizing = {0.8 * state.threshold(), min_size(), max_size(), 0.5};
+    options.sizing = {0.8 * state.threshold(), min_size(), max_size(), 0.5, anisotropy};
+    options.goal = quality_goal(anisotropy);
     refine_material(state, options, control);
   }
 

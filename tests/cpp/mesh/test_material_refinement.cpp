@@ -130,6 +130,48 @@ TEST(MaterialRefinementOfThreeConstituents, KeepsTheThresholdOfTheWholeCompositi
   EXPECT_GE(test::angle_range(state).smallest, kSmallestAngle);
 }
 
+TEST_P(MaterialRefinement, KeepsTheThresholdInStretchedTetrahedra) {
+  const Case& part = GetParam();
+  test::RefinedPart refined(*part.solid, part.field, part.threshold);
+  refined.refine(3.0);
+  const MeshState& state = refined.state;
+  EXPECT_EQ(test::find_fault(state, *part.solid, 0.026), "");
+  EXPECT_LE(test::largest_variation(state), part.threshold);
+  const AngleRange angles = test::angle_range(state);
+  EXPECT_GE(angles.smallest, 8.0);
+  EXPECT_LE(angles.largest, 167.0);
+  EXPECT_NEAR(test::volume_of(state), part.solid->volume(), 0.05 * part.solid->volume());
+  if (part.gradient_cubed > 0.0) {
+    EXPECT_LE(state.complex.tet_count() * std::pow(part.threshold, 3) / part.gradient_cubed, 5.0);
+  }
+}
+
+/// Mean extents of the tetrahedra along x, y and z.
+Vec3 mean_extents(const MeshState& state) {
+  Vec3 sum = Vec3::Zero();
+  for (int t = 0; t < state.complex.slots(); ++t) {
+    if (!state.complex.tet(t).alive()) continue;
+    const auto at = [&](int i) -> const Vec3& { return state.position(state.complex.tet(t).vertex[i]); };
+    sum += at(0).cwiseMax(at(1)).cwiseMax(at(2)).cwiseMax(at(3)) -
+           at(0).cwiseMin(at(1)).cwiseMin(at(2)).cwiseMin(at(3));
+  }
+  return sum / state.complex.tet_count();
+}
+
+TEST(StretchedMaterialRefinement, MakesElementsLongerAcrossTheGradientOnly) {
+  const test::FunctionField ramp = test::linear(Vec3(0.05, 0, 0), 0.5);
+  test::RefinedPart isotropic(*kCube, ramp, 0.1), stretched(*kCube, ramp, 0.1);
+  isotropic.refine();
+  stretched.refine(3.0);
+  const Vec3 alike = mean_extents(isotropic.state), longer = mean_extents(stretched.state);
+  EXPECT_NEAR(longer.x(), alike.x(), 0.2 * alike.x());
+  for (int axis : {1, 2}) {
+    EXPECT_GT(longer[axis], 1.7 * longer.x());
+    EXPECT_LT(longer[axis], 3.5 * longer.x());
+    EXPECT_LT(alike[axis], 1.5 * alike.x());
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Of, MaterialRefinement, testing::ValuesIn(cases()),
                          [](const auto& info) { return info.param.name; });
 

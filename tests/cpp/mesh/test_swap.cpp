@@ -178,7 +178,9 @@ TEST_P(SwapsAtAnInterface, KeepItAndTheSolidsAndLowerTheEnergy) {
   double first = 0.0;
   for (std::size_t t = 0; t < volumes.size(); ++t) first += after.tet_solids[t] == 1 ? volumes[t] : 0.0;
   EXPECT_NEAR(first, 4.0, 1e-12);
-  if (GetParam() > 0) EXPECT_NE(interface_triangles(after), before) << "no edge of the interface was swapped";
+  if (GetParam() > 0) {
+    EXPECT_NE(interface_triangles(after), before) << "no edge of the interface was swapped";
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Seed, SwapsAtAnInterface, testing::Range(0u, 5u));

@@ -32,7 +32,7 @@ TEST(MeshingOptions, RefuseEachBadValueByName) {
                    o.min_size = 2.0;
                    o.max_size = 1.0;
                  }});
-  for (const double value : {0.0, 0.999, -2.0, kNan, kInfinity, 2.0})
+  for (const double value : {0.0, 0.999, -2.0, kNan, kInfinity, 10.001})
     bad.push_back({"anisotropy", [=](MeshingOptions& o) { o.anisotropy = value; }});
   for (const int value : {0, 3, -1}) bad.push_back({"order", [=](MeshingOptions& o) { o.order = value; }});
   for (const char* value : {"", "Initial", "geometry ", "end"})
