@@ -168,6 +168,10 @@
       <translation>Gruppen</translation>
     </message>
     <message>
+      <source>Histogram</source>
+      <translation>Histogramm</translation>
+    </message>
+    <message>
       <source>How many times longer elements may be across the gradient than along it; 1: isotropic</source>
       <translation>Wie viele Male länger Elemente quer zum Gradienten sein dürfen als längs; 1: isotrop</translation>
     </message>

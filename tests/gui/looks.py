@@ -36,6 +36,15 @@ def text_contrast(pixels):
     return float(ratios.max())
 
 
+def ink(widget):
+    """The commonest colour of a widget as it is drawn upon its window, and the largest contrast to it."""
+    top = widget.window()
+    corner = widget.mapTo(top, QtCore.QPoint(0, 0))
+    pixels = pixels_of(top.grab(QtCore.QRect(corner, widget.size())).toImage())
+    colours, counts = np.unique(pixels.reshape(-1, 3), axis=0, return_counts=True)
+    return colours[counts.argmax()].tolist(), text_contrast(pixels)
+
+
 def luminance(colours):
     """Relative luminance of sRGB colours (n, 3) of 0 to 255, by WCAG 2.1."""
     parts = np.asarray(colours) / 255

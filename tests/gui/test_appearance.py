@@ -67,13 +67,14 @@ look("mesh, done", "FGMeshMinSize")
 click("FGMeshOpenReport")
 settle(0.5)
 look("report", "FGMeshStages")
+plot = looks.ink(widget("FGMeshPlot")), looks.ink(widget("FGMeshStages").parent())
 panel_button("Close")
 document.FGMesh.MaterialThreshold = 0.05
 select(document.FGMesh)
 command("FGMesh_Report")
 look("report, out of date", "FGMeshStages", "FGMeshStatus")
 panel_button("Close")
-return dict(cut=cut, contrasts=contrasts, bar=[looks.text_contrast(bar[: bar.shape[0] // 6]), *bar.shape[:2], scale])
+return dict(cut=cut, contrasts=contrasts, plot=plot, bar=[looks.text_contrast(bar[: bar.shape[0] // 6]), *bar.shape[:2], scale])
 """
 
 
@@ -90,6 +91,8 @@ def test_nothing_is_cut_and_all_is_readable(drive, preferences, name):
     assert {kind for kind, *_ in answer["contrasts"].values()} == {"error", "warning"}
     for panel, (_, text, contrast) in answer["contrasts"].items():
         assert text and contrast >= 4.5, (panel, text, contrast)
+    (background, contrast), (around, _) = answer["plot"]
+    assert background == around and contrast >= 4.5, "the histogram is not of the panel's colours"
     contrast, height, width, scale = answer["bar"]
     assert contrast >= 4.5
     assert height > 250 * scale and width > 80 * scale

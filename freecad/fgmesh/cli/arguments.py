@@ -98,7 +98,12 @@ def _add_mesh(group, defaults):
         "--min-size", metavar="MM", type=number, help=f"shortest edge that refinement makes (default: {part})"
     )
     add("--max-size", metavar="MM", type=number, help=f"longest edge, about (default: {part})")
-    add("--anisotropy", metavar="A", type=number, help="elements may be A times longer across the gradient than along it, 1 to 10 (default 1)")
+    add(
+        "--anisotropy",
+        metavar="A",
+        type=number,
+        help="elements may be A times longer across the gradient than along it, 1 to 10 (default 1)",
+    )
     add(
         "--order",
         type=int,

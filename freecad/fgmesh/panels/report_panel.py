@@ -14,12 +14,14 @@ from freecad.fgmesh.model.shown_quantities import fraction_titles
 from freecad.fgmesh.model.tet_figures import smallest_dihedral_angles, variations
 from freecad.fgmesh.model.texts import TRANSLATE_LATER
 from freecad.fgmesh.panels.message_label import MessageLabel
+from freecad.fgmesh.panels.plot_canvas import plot_canvas, use_text_colour
 from freecad.fgmesh.panels.section_controls import SectionControls
 from freecad.fgmesh.panels.whole_table import WholeTable
 from freecad.fgmesh.view import icon, mesh_look
 from freecad.fgmesh.view.texts import number_text, translate
 
 _WORST = 20  # tetrahedra that are shown
+_SIZE = (4, 3)  # of histograms, inches
 
 PLAIN, SMALLEST_ANGLES, LARGEST_VARIATION = range(3)  # looks behind the fractions
 """What the view shows."""
@@ -70,8 +72,12 @@ class ReportPanel:
     # What the buttons do.
 
     def save_picture(self, path):
-        """Writes the histogram that is shown."""
-        self.figure.savefig(path, dpi=120)
+        """Writes the histogram that is shown, in the colours of paper."""
+        from matplotlib.figure import Figure
+
+        figure = Figure(figsize=_SIZE)
+        self._fill(figure)
+        figure.savefig(path, dpi=120)
 
     def save_table(self, path):
         write_report_table(self.report, path)
@@ -86,6 +92,8 @@ class ReportPanel:
         (self.message.say if self.mesh.Status == "ok" else self.message.warn)(self.mesh.Status)
         layout.addWidget(self.message)
         layout.addWidget(self._table())
+        self._label = QtGui.QLabel(translate("Histogram"))
+        layout.addWidget(self._label)
         self.kind = QtGui.QComboBox()
         self.kind.setObjectName("FGMeshHistogram")
         self.kind.addItems([translate("Variation of composition"), translate("Dihedral angles")])
@@ -129,11 +137,10 @@ class ReportPanel:
         return table
 
     def _canvas(self):
-        from matplotlib.backends.backend_qt5agg import FigureCanvasQTAgg
         from matplotlib.figure import Figure
 
-        self.figure = Figure(figsize=(4, 3), dpi=80)  # small letters: the panel is narrow
-        self.canvas = FigureCanvasQTAgg(self.figure)
+        self.figure = Figure(figsize=_SIZE, dpi=80)  # small letters: the panel is narrow
+        self.canvas = plot_canvas(self.figure)
         self.canvas.setObjectName("FGMeshPlot")
         self.canvas.setMinimumHeight(240)
         self._plot()
@@ -141,10 +148,14 @@ class ReportPanel:
 
     def _plot(self):
         self.figure.clear()
+        self._fill(self.figure)
+        use_text_colour(self.figure, self._label)
+        self.canvas.draw_idle()
+
+    def _fill(self, figure):
         plot = pictures.plot_variation if self.kind.currentIndex() == 0 else pictures.plot_dihedral
         last = {**self.report, "stages": self.report["stages"][-1:]}
-        plot(last, self.figure, translate)
-        self.canvas.draw_idle()
+        plot(last, figure, translate)
 
     def _view_box(self):
         box = QtGui.QWidget()
