@@ -97,6 +97,116 @@ return dict(marked=marked, says=says, warns=warns, refused=refused, alpha=part.F
     assert abs(answer["alpha"] - 0.1) < 1e-12
 
 
+WRONG = {
+    "FGMeshFormula": {
+        "": "Write a formula",
+        "z/": "formula",
+        "z/60)": "closes nothing",
+        "z + wall": "unknown name 'wall'",
+        "d3": "d3",
+        "exp": "exp",
+        "sqrt(-1)": "not defined",
+        "(" * 300 + "z" + ")" * 300: "deep",
+        "z/60 # ; import os": "formula",
+        "z²": "formula",
+        "2": "between 0 and 1",
+    },
+    "FGMeshFrameOrigin": {"1, 2": "three numbers", "a, b, c": "three numbers", "nan, 0, 0": "three numbers"},
+    "FGMeshFrameAxis": {"0, 0, 0": "three zeros", "up": "three numbers", "inf, 0, 1": "three numbers"},
+    "value": {
+        "": "has no value",
+        "many": "neither a number",
+        "Height +": "neither",
+        "1e999": "1e999",
+        "3 deg": "n",
+    },
+    "name": {
+        "": "no name",
+        "x": "'x'",
+        "exp": "'exp'",
+        "my length": "my length",
+        "other": "Two parameters",
+        "d1": "d1",
+    },
+}
+"""Field: {what is written: part of what must be said}."""
+
+
+def test_wrong_input_in_every_field_of_the_material_panel(drive):
+    answer = drive(
+        CYLINDER
+        + f"WRONG = {WRONG!r}\n"
+        + """
+command("FGMesh_Material")
+write("FGMeshFormula", "z/length")
+click("FGMeshAddParameter")
+write_cell("FGMeshParameters", 2, 0, "other")
+told = {}
+
+def look(key):
+    settle(0.25)
+    message = widget("FGMeshFormulaMessage")
+    said = [message.kind, message.text()]
+    if message.kind == "error":
+        panel_button("Ok")
+        said.append(FreeCADGui.Control.activeDialog() is not False and document.UndoCount == steps_before)
+        assert said[-1], (key, said)
+    told[key] = said
+
+def write_frame(name, text):
+    write(name, text)
+    press(widget(name), QtCore.Qt.Key_Tab)
+
+for text in WRONG["FGMeshFormula"]:
+    write("FGMeshFormula", text)
+    look("FGMeshFormula/" + text)
+write("FGMeshFormula", "z/length")
+kept = {}
+for name, good in (("FGMeshFrameOrigin", "0, 0, 0"), ("FGMeshFrameAxis", "0, 0, 1")):
+    for text in WRONG[name]:
+        write_frame(name, text)
+        look(name + "/" + text)
+        kept[name + "/" + text] = widget(name).text()
+    write_frame(name, good)
+for column, field, good in ((1, "value", "60"), (0, "name", "length")):
+    for text in WRONG[field]:
+        write_cell("FGMeshParameters", 1, column, text)
+        look(field + "/" + text)
+        kept[field + "/" + text] = widget("FGMeshParameters").item(1, column).text()
+    write_cell("FGMeshParameters", 1, column, good)
+write("FGMeshConstituent1", "Steel-Generic")
+settle(0.2)
+panel_button("Ok")
+lacking = widget("FGMeshFormulaMessage").kind, widget("FGMeshFormulaMessage").text()
+write("FGMeshConstituent2", "Unobtainium")
+settle(0.2)
+panel_button("Ok")
+unknown = widget("FGMeshFormulaMessage").kind, widget("FGMeshFormulaMessage").text()
+write("FGMeshConstituent2", "Aluminum-Generic")
+settle(0.2)
+good = widget("FGMeshFormulaMessage").text()
+panel_button("Ok")
+return dict(told=told, kept=kept, lacking=lacking, unknown=unknown, good=good, fractions=list(part.FGMFractions), rows=part.FGM_length)
+"""
+    )
+    wrong = []
+    for field, texts in WRONG.items():
+        for text, part in texts.items():
+            key = f"{field}/{text}"
+            kind, said, *refused = answer["told"][key]
+            wrong += [(key[:80], said)] if part not in said else []
+            assert kind == (
+                "" if text == "" and "Formula" in field else "warning" if text == "2" else "error"
+            ), (key[:80], said)
+            assert refused in ([], [True]), key[:80]
+    assert not wrong
+    assert answer["kept"] == {key: key.split("/", 1)[1] for key in answer["kept"]}
+    assert answer["lacking"] == ["error", "Constituent 2 has no material: choose one, or clear the others"]
+    assert answer["unknown"][0] == "error" and "Unobtainium" in answer["unknown"][1]
+    assert answer["good"] == "On the solid: 0 to 1"
+    assert answer["fractions"] == ["z/length"] and answer["rows"] == 60
+
+
 def test_cancel_leaves_nothing_behind(drive):
     answer = drive(
         CYLINDER

@@ -18,7 +18,7 @@ class CompositionBox(QtGui.QWidget):
 
     def __init__(self, offered, between, parent=None):
         super().__init__(parent)
-        self._offered = offered
+        self._offered, self._known = offered, set(offered)
         self._combos, self._edits, self._labels = [], [], []
         self.current = 0  # index of the formula that was worked on last
         self._rows, self._formulas = QtGui.QFormLayout(), QtGui.QVBoxLayout()
@@ -46,12 +46,27 @@ class CompositionBox(QtGui.QWidget):
         names = [combo.currentText().strip() for combo in self._combos]
         return names if all(names) else []
 
+    def objection(self):
+        """What is wrong with the names, in words; "" where nothing is. No name at all is right."""
+        names = [combo.currentText().strip() for combo in self._combos]
+        for number, name in enumerate(names, 1):
+            if not name and any(names):
+                return translate("Constituent {} has no material: choose one, or clear the others").format(
+                    number
+                )
+            if name and name not in self._known:
+                return translate(
+                    "Constituent {}: there is no material card and no material object called {}; choose one"
+                ).format(number, name)
+        return ""
+
     def fractions(self):
         """The formulas."""
         return [edit.formula() for edit in self._edits]
 
     def set_composition(self, names, fractions):
-        """Shows what a material has; names may be missing."""
+        """Shows what a material has; names may be missing, or of cards that are not on this computer."""
+        self._known |= set(names)
         self._set_count(len(fractions) + 1)
         for combo, name in zip(self._combos, names or [""] * self.count()):
             combo.setEditText(name)

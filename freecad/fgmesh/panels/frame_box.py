@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Where the material's frame stands: numbers, or picked in the 3D view."""
+import math
+
 import FreeCAD
 from PySide import QtCore, QtGui
 
@@ -22,6 +24,7 @@ class FrameBox(QtGui.QWidget):
         super().__init__(parent)
         self._solid = solid
         self._frame = FreeCAD.Placement()
+        self._wrong = ""  # why what is written is no frame
         self._picker = Picker(self._picked)
         self.origin, self.axis = QtGui.QLineEdit(), QtGui.QLineEdit()
         self.origin.setObjectName("FGMeshFrameOrigin")
@@ -55,11 +58,18 @@ class FrameBox(QtGui.QWidget):
         self.set_frame(self._frame)
 
     def frame(self):
+        """Raises core.InvalidInput where what is written is none."""
+        if self._wrong:
+            raise core.InvalidInput(self._wrong)
+        return self.last()
+
+    def last(self):
+        """The frame, or the last one where what is written now is none."""
         return FreeCAD.Placement(self._frame)
 
     def set_frame(self, frame):
         """Shows `frame`; tells nobody."""
-        self._frame = FreeCAD.Placement(frame)
+        self._frame, self._wrong = FreeCAD.Placement(frame), ""
         self.origin.setText(_text(frame.Base))
         self.axis.setText(_text(frame.Rotation.multVec(_Z)))
 
@@ -83,16 +93,17 @@ class FrameBox(QtGui.QWidget):
     def _typed(self):
         texts = self.origin.text(), self.axis.text()
         if texts == (_text(self._frame.Base), _text(self._frame.Rotation.multVec(_Z))):
-            return  # as shown: what was rounded for the eye stays as it is
+            self._take(self._frame)  # as shown: what was rounded for the eye stays as it is
+            return
         try:
             origin, axis = (_vector(text) for text in texts)
             if axis.Length == 0:
                 raise ValueError
         except ValueError:
-            self.set_frame(self._frame)
-            self.failed.emit(
-                translate("The frame takes three numbers each, as in 0, 0, 1; it was left as it was")
+            self._wrong = translate(
+                "Origin and z axis of the frame take three numbers each, as in 0, 0, 1, and the axis not three zeros"
             )
+            self.edited.emit()
             return
         self._take(FreeCAD.Placement(origin, FreeCAD.Rotation(_Z, axis)))
 
@@ -107,4 +118,6 @@ def _text(vector):
 
 def _vector(text):
     x, y, z = (float(part) for part in text.replace(";", ",").split(","))
+    if not all(map(math.isfinite, (x, y, z))):
+        raise ValueError
     return FreeCAD.Vector(x, y, z)

@@ -34,6 +34,7 @@ class MaterialPanel:
     def __init__(self, solids):
         self.solids, self._first = solids, solids[0]
         self._missing_name = None
+        self._undefined = False  # the formula is so on all of the solid
         self._brought = set()  # parameters of a ready grading, which a formula of the user's may not need
         self._timer = QtCore.QTimer()
         self._timer.setSingleShot(True)
@@ -54,8 +55,13 @@ class MaterialPanel:
         return int(QtGui.QDialogButtonBox.Ok | QtGui.QDialogButtonBox.Cancel)
 
     def accept(self):
-        draft = self.draft()
+        if self._undefined:
+            return False  # the message says so
+        if objection := self.composition.objection():
+            self.message.complain(objection)
+            return False
         try:
+            draft = self.draft()
             with recorded(self._first.Document, translate("Set graded material")) as run:
                 for solid in self.solids:
                     for line in draft.script(solid):
@@ -75,7 +81,7 @@ class MaterialPanel:
     # What the panel shows.
 
     def draft(self):
-        """The MaterialDraft that is shown."""
+        """The MaterialDraft that is shown. Raises core.InvalidInput where a field makes no sense."""
         names, formulas = self.composition.names(), self.composition.fractions()
         parameters = self.parameters.parameters()
         for name in self._brought - _words(formulas):
@@ -139,8 +145,8 @@ class MaterialPanel:
         self.preview.set_constituents(self.composition.names(), self.composition.count())
 
     def _frame(self):
-        """That of the material, in the coordinates of the solid's shape."""
-        return self._first.Placement.multiply(self.frame.frame())
+        """That of the material, in the coordinates of the solid's shape; the last good one while it is being typed."""
+        return self._first.Placement.multiply(self.frame.last())
 
     def _grading_chosen(self, row):
         if row > 0:
@@ -155,7 +161,7 @@ class MaterialPanel:
         formula, parameters = gradings.numbered(
             grading.formula, gradings.fitted(grading, self._first.Shape, self._frame()), number
         )
-        kept = {name: text for name, text in self.parameters.parameters().items() if name in _words(others)}
+        kept = {name: text for name, text in self.parameters.rows() if name in _words(others)}
         self._brought |= set(parameters)
         self.parameters.set_parameters({**kept, **parameters})
         self.composition.set_formula(formula)
@@ -164,7 +170,7 @@ class MaterialPanel:
     def _refresh(self):
         """Checks what is written, marks what is wrong, has the preview follow."""
         self._timer.stop()
-        self._missing_name = None
+        self._missing_name, self._undefined = None, False
         wrong = position = None
         try:
             material = self.draft().material(self._first)
@@ -199,7 +205,8 @@ class MaterialPanel:
     def _tell_range(self, ranges, missing):
         if self.message.kind == "error":
             return
-        if np.isnan(ranges).any():
+        self._undefined = bool(np.isnan(ranges).any())
+        if self._undefined:
             self.message.complain(translate("The formula is not defined anywhere on the solid"))
             return
         text = range_text(ranges)

@@ -52,13 +52,25 @@ class ParameterTable(QtGui.QWidget):
         self._fit()
 
     def parameters(self):
-        """{name: text}; of equal names the first counts."""
-        rows = {}
-        for row in range(self.table.rowCount()):
-            name = self._text(row, _NAME)
-            if name:
-                rows.setdefault(name, self._text(row, _TEXT))
-        return rows
+        """{name: text}. Raises core.InvalidInput where a name is missing or there twice."""
+        result = {}
+        for name, text in self.rows():
+            if not name:
+                raise core.InvalidInput(
+                    translate("A parameter has no name: write one beside its value {}, or remove it").format(
+                        text
+                    )
+                )
+            if name in result:
+                raise core.InvalidInput(
+                    translate("Two parameters are called {}: rename or remove one").format(name)
+                )
+            result[name] = text
+        return result
+
+    def rows(self):
+        """(name, text) of each, whatever is written."""
+        return [(self._text(row, _NAME), self._text(row, _TEXT)) for row in range(self.table.rowCount())]
 
     def set_parameters(self, parameters):
         """{name: number or text}; tells nobody."""
@@ -122,7 +134,7 @@ class ParameterTable(QtGui.QWidget):
         return self.table.item(row, column).text().strip()
 
     def _free_name(self):
-        taken = self.parameters()
+        taken = dict(self.rows())
         return next(name for number in range(1, 1000) if (name := f"p{number}") not in taken)
 
     def _fit(self):
