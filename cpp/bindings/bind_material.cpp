@@ -203,6 +203,8 @@ void bind_material(py::module_& module) {
       .def(py::init(&make_table), py::arg("places"), py::arg("values"))
       .def_property_readonly("places", &table_places, "{coordinate: its places, (n,)}, as they were given.")
       .def_property_readonly("values", &table_values, "A direction for each coordinate.")
+      .def_property_readonly_static(
+          "max_values", [](const py::object&) { return SampledTable::kMaxValues; }, "The most that one has.")
       .def(
           "__eq__", [](const SampledTable& a, const SampledTable& b) { return a == b; }, py::is_operator())
       .def("__repr__", [](const SampledTable& table) {
@@ -223,7 +225,7 @@ void bind_material(py::module_& module) {
            }),
            py::arg("fractions"), py::arg("parameters") = std::map<std::string, double>(),
            py::arg("origin") = Frame().origin, py::arg("rotation") = Frame().rotation,
-           py::arg("references") = std::vector<Reference>(),
+           py::arg("references") = std::vector<Reference>(), py::kw_only(),
            py::arg("tables") = std::vector<std::shared_ptr<SampledTable>>())
       .def_property_readonly("fractions", &Material::fractions)
       .def_property_readonly("parameters", &Material::parameters)

@@ -11,7 +11,9 @@ The first line names the columns: one to three coordinates of the material's fra
 fill a rectilinear grid, each combination of the coordinates once. Lines that begin with # are comments.
 """
 import functools
+import math
 import os
+from contextlib import contextmanager
 
 import numpy as np
 
@@ -21,6 +23,8 @@ COORDINATES = ("x", "y", "z", "r", "theta", "d")
 
 LARGEST_TEXT = 256 * 1024**2
 """Bytes: some ten for each number of as many rows as a table may have."""
+
+_LARGEST_NUMBER = 1e100  # as the compiled part has it
 
 _SAME = 1e-9
 """Of the extent of a coordinate: places that differ by less are one, rounded differently."""
@@ -33,17 +37,8 @@ def read(source, name="the table"):
     """
     if isinstance(source, SampledTable):
         return source
-    try:
-        return _read(text(source, name))
-    except InvalidInput as error:
-        raise InvalidInput(f"{_full_name(source, name)}{error}") from None
-
-
-def read_all(sources):
-    """The tables of a material, called t1, t2, ... in messages."""
-    if isinstance(sources, (str, bytes, os.PathLike, SampledTable)):
-        raise InvalidInput("tables are given as a list, also where there is one alone: [table]")
-    return [read(source, f"the table t{number}") for number, source in enumerate(sources, 1)]
+    with _named(source, name):
+        return _parsed(_text(source))
 
 
 def text(source, name="the table"):
@@ -52,45 +47,217 @@ def text(source, name="the table"):
 
     Raises InvalidInput where a file cannot be read, or is no text.
     """
+    with _named(source, name):
+        return _text(source)
+
+
+def read_all(sources):
+    """The tables of a material, called t1, t2, ... in messages."""
+    return _each(read, sources)
+
+
+def texts(sources):
+    """The texts of a material's tables, likewise."""
+    return _each(text, sources)
+
+
+def is_text(source):
+    """Whether `source` is the text of a table, and no path."""
+    return isinstance(source, bytes) or isinstance(source, str) and ("\n" in source or "\r" in source)
+
+
+def _each(function, sources):
+    if isinstance(sources, (str, bytes, os.PathLike, SampledTable)):
+        raise InvalidInput("tables are given as a list, even where there is only one: [table]")
+    return [function(source, f"table t{number}") for number, source in enumerate(sources, 1)]
+
+
+@contextmanager
+def _named(source, name):
+    """Has errors begin with the name of the table."""
+    try:
+        yield
+    except InvalidInput as error:
+        is_path = isinstance(source, (str, os.PathLike)) and not is_text(source)
+        place = f" ({os.fspath(source)})" if is_path else ""
+        raise InvalidInput(f"{name}{place}: {error}") from None
+
+
+def _text(source):
     if isinstance(source, SampledTable):
         return _written(source)
     if not isinstance(source, (str, bytes, os.PathLike)):
         raise InvalidInput(
-            f"{name} must be the path of a file, its text or a core.SampledTable, not {type(source).__name__}"
+            f"a table is a path, a text of several lines or a core.SampledTable, not {type(source).__name__}"
         )
-    content = source.encode("utf-8", "surrogateescape") if is_text(source) else source
-    if not isinstance(content, bytes):
-        content = _content(content, name)
-    if len(content) > LARGEST_TEXT:
-        raise InvalidInput(f"{name} is larger than {LARGEST_TEXT // 1024**2} MB: take fewer samples")
+    if not is_text(source):
+        source = _content(source)
+    if len(source) > LARGEST_TEXT:
+        raise InvalidInput(f"it is larger than {LARGEST_TEXT // 1024**2} MB: take fewer samples")
     try:
-        return "\n".join(content.decode("utf-8-sig").splitlines()) + "\n"
-    except UnicodeDecodeError:
-        raise InvalidInput(f"{name} is no text: save it as CSV, in UTF-8") from None
+        if not isinstance(source, bytes):
+            source.encode()  # a str may hold what is no character
+        content = source if isinstance(source, str) else source.decode()
+    except UnicodeError:
+        raise InvalidInput("it is no text: save it as CSV, in UTF-8") from None
+    # Only these breaks: str.splitlines knows some that no other program takes for one. Excel marks UTF-8.
+    return content.removeprefix("\ufeff").replace("\r\n", "\n").replace("\r", "\n").rstrip("\n") + "\n"
 
 
-def is_text(source):
-    """Whether a str, as one of `tables`, is a text and no path."""
-    return isinstance(source, str) and ("\n" in source or "\r" in source)
-
-
-def _full_name(source, name):
-    named = isinstance(source, (str, os.PathLike)) and not is_text(source)
-    return f"{name} ({os.fspath(source)})" if named else name
-
-
-def _content(path, name):
+def _content(path):
     try:
         with open(path, "rb") as file:
             return file.read(LARGEST_TEXT + 1)
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or error
-        raise InvalidInput(f"cannot be read: {reason}") from None
+        raise InvalidInput(f"cannot read the file: {reason}") from None
 
 
 def _written(table):
     places, values = table.places, table.values
     grids = np.meshgrid(*places.values(), indexing="ij")
     rows = np.column_stack([*(grid.ravel() for grid in grids), values.ravel()]).tolist()
-    lines = [",".join([*places, "value"]), *(",".join(map(repr, row)) for row in rows)]
-    return "\n".join(lines) + "\n"
+    return "\n".join([",".join([*places, "value"]), *(",".join(map(repr, row)) for row in rows), ""])
+
+
+# The panel asks again with each key.
+@functools.lru_cache(maxsize=16)
+def _parsed(content):
+    lines = content.split("\n")
+    header = next((number for number, line in enumerate(lines, 1) if line.strip(" \t#")), None)
+    if header is None:
+        raise InvalidInput(f"it is empty; {_HEADER_CURE}")
+    names, separator = _header(lines[header - 1], header)
+    rows, numbers = [], []  # of what is no comment, and of the lines where it stands
+    for number, line in enumerate(lines[header:], header + 1):
+        if line.strip() and not line.lstrip().startswith("#"):
+            rows.append(line.split(separator))
+            numbers.append(number)
+    values = _values(rows, numbers, len(names) + 1)
+    return _gridded(names, values, numbers)
+
+
+_HEADER_CURE = "begin with a line that names the columns, such as 'x, y, value'"
+
+
+def _header(line, number):
+    """The names of the coordinates, and what separates columns: None for white space."""
+    line = line.strip().lstrip("#")  # numpy.savetxt writes one
+    separator = next((mark for mark in ";," if mark in line), None)
+    names = [cell.strip().strip("'\"").lower() for cell in line.split(separator)]
+    if all(_is_number(name) for name in names):
+        raise InvalidInput(f"line {number}: there is no header; {_HEADER_CURE}")
+    *coordinates, last = names
+    if last != "value" or not 1 <= len(coordinates) <= 3:
+        raise InvalidInput(
+            f"line {number}: the columns must be one to three coordinates, then 'value'; {_HEADER_CURE}"
+        )
+    for name in coordinates:
+        if name not in COORDINATES:
+            raise InvalidInput(
+                f"line {number}: the column {_shortened(name)} is unknown; coordinates are "
+                f"{' '.join(COORDINATES)}, and 'value' is the last column"
+            )
+        if coordinates.count(name) > 1:
+            raise InvalidInput(f"line {number}: the column {name} stands there twice; leave one out")
+    return coordinates, separator
+
+
+def _values(rows, numbers, width):
+    """The numbers of the table, (n, width)."""
+    if not rows:
+        raise InvalidInput("it has no rows below its header; add one for each sample")
+    if len(rows) > SampledTable.max_values:
+        raise InvalidInput(f"it has more than {SampledTable.max_values} rows; take fewer samples")
+    for row, number in zip(rows, numbers):
+        if len(row) != width:
+            raise InvalidInput(
+                f"line {number} has {len(row)} columns, the header {width}; write a number for each"
+            )
+    try:
+        values = np.array(rows, float)
+    except ValueError:
+        values = None
+    if values is None or not (np.abs(values) <= _LARGEST_NUMBER).all():
+        _complain_of_number(rows, numbers)
+    return values
+
+
+def _complain_of_number(rows, numbers):
+    for row, number in zip(rows, numbers):
+        for cell in row:
+            if not _is_number(cell):
+                hint = "; decimals are written with a point" if "," in cell else ""
+                raise InvalidInput(f"line {number}: {_shortened(cell.strip())} is no number{hint}")
+            if not abs(float(cell)) <= _LARGEST_NUMBER:
+                raise InvalidInput(
+                    f"line {number}: {_shortened(cell.strip())} is no finite number up to {_LARGEST_NUMBER:g}"
+                )
+
+
+def _gridded(names, values, numbers):
+    """The SampledTable of rows in any order."""
+    places, indices = zip(*(_places(column) for column in values.T[:-1]))
+    shape = tuple(map(len, places))
+    size = math.prod(shape)
+    if size != len(values):
+        _complain_of_grid(names, places, indices, numbers, size)
+    flat = np.ravel_multi_index(indices, shape)
+    grid = np.full(size, np.nan)
+    grid[flat] = values[:, -1]
+    if np.isnan(grid).any():
+        _complain_of_grid(names, places, indices, numbers, size)
+    return SampledTable(dict(zip(names, places)), grid.reshape(shape))
+
+
+def _places(column):
+    """The places of a coordinate, ascending, and which of them each row has."""
+    found = np.unique(column)
+    tolerance = _SAME * (found[-1] - found[0])
+    places = found[np.concatenate([[True], np.diff(found) > tolerance])]
+    return places, np.searchsorted(places, column, side="right") - 1
+
+
+def _complain_of_grid(names, places, indices, numbers, size):
+    """Names a place that stands there twice, or else one that is missing."""
+    order = np.lexsort(indices[::-1])
+    ordered = np.column_stack(indices)[order]
+
+    def shown(index):
+        return ", ".join(f"{name} = {axis[at]:.12g}" for name, axis, at in zip(names, places, index))
+
+    doubled = np.flatnonzero((ordered[1:] == ordered[:-1]).all(axis=1))
+    if len(doubled):
+        first, second = numbers[order[doubled[0]]], numbers[order[doubled[0] + 1]]
+        raise InvalidInput(
+            f"line {second}: {shown(ordered[doubled[0]])} stands in line {first} already; keep one of them"
+        )
+    shape = [len(axis) for axis in places]
+    expected = np.column_stack(_unravelled(np.arange(len(ordered) + 1), shape))
+    wrong = np.flatnonzero((expected[:-1] != ordered).any(axis=1))
+    missing = expected[wrong[0] if len(wrong) else len(ordered)]
+    raise InvalidInput(
+        f"there is no row for {shown(missing)}; {len(numbers)} rows must fill a grid of "
+        f"{' x '.join(map(str, shape))} = {size} places, each combination of the coordinates once"
+    )
+
+
+def _unravelled(flat, shape):
+    """numpy.unravel_index for grids of any size."""
+    indices = []
+    for length in reversed(shape):
+        flat, index = np.divmod(flat, length)
+        indices.insert(0, index)
+    return indices
+
+
+def _is_number(cell):
+    try:
+        float(cell)
+    except ValueError:
+        return False
+    return True
+
+
+def _shortened(cell):
+    return repr(cell if len(cell) <= 40 else cell[:37] + "...")
