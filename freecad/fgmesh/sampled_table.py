@@ -13,6 +13,7 @@ fill a rectilinear grid, each combination of the coordinates once. Lines that be
 import functools
 import math
 import os
+import re
 from contextlib import contextmanager
 
 import numpy as np
@@ -26,6 +27,9 @@ LARGEST_TEXT = 256 * 1024**2
 
 _LARGEST_NUMBER = 1e100  # as the compiled part has it
 
+_NO_TEXT = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff]")
+"""Characters that no document of FreeCAD's, which is XML, can hold."""
+
 _SAME = 1e-9
 """Of the extent of a coordinate: places that differ by less are one, rounded differently."""
 
@@ -38,7 +42,7 @@ def read(source, name="the table"):
     if isinstance(source, SampledTable):
         return source
     with _named(source, name):
-        return _parsed(_text(source))
+        return _parsed(_content(source))
 
 
 def text(source, name="the table"):
@@ -84,29 +88,36 @@ def _named(source, name):
 
 
 def _text(source):
-    if isinstance(source, SampledTable):
-        return _written(source)
+    return _written(source) if isinstance(source, SampledTable) else _clean(_content(source))
+
+
+def _clean(content):
+    """A str with plain line ends of what a file or a user may have given as text."""
+    if len(content) > LARGEST_TEXT:
+        raise InvalidInput(f"it is larger than {LARGEST_TEXT // 1024**2} MB: take fewer samples")
+    try:
+        if isinstance(content, bytes):
+            content = content.decode()
+        content.encode()  # a str may hold what is no character
+    except UnicodeError:
+        raise InvalidInput("it is no text: save it as CSV, in UTF-8") from None
+    # Only these breaks: str.splitlines knows some that no other program takes for one. Excel marks UTF-8.
+    content = content.removeprefix("\ufeff").replace("\r\n", "\n").replace("\r", "\n")
+    if _NO_TEXT.search(content):
+        raise InvalidInput("it is no text: save it as CSV, in UTF-8")
+    return content.rstrip("\n") + "\n"
+
+
+def _content(source):
+    """Text as it is, or that of a file."""
     if not isinstance(source, (str, bytes, os.PathLike)):
         raise InvalidInput(
             f"a table is a path, a text of several lines or a core.SampledTable, not {type(source).__name__}"
         )
-    if not is_text(source):
-        source = _content(source)
-    if len(source) > LARGEST_TEXT:
-        raise InvalidInput(f"it is larger than {LARGEST_TEXT // 1024**2} MB: take fewer samples")
+    if is_text(source):
+        return source
     try:
-        if not isinstance(source, bytes):
-            source.encode()  # a str may hold what is no character
-        content = source if isinstance(source, str) else source.decode()
-    except UnicodeError:
-        raise InvalidInput("it is no text: save it as CSV, in UTF-8") from None
-    # Only these breaks: str.splitlines knows some that no other program takes for one. Excel marks UTF-8.
-    return content.removeprefix("\ufeff").replace("\r\n", "\n").replace("\r", "\n").rstrip("\n") + "\n"
-
-
-def _content(path):
-    try:
-        with open(path, "rb") as file:
+        with open(source, "rb") as file:
             return file.read(LARGEST_TEXT + 1)
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or error
@@ -123,11 +134,9 @@ def _written(table):
 # The panel asks again with each key.
 @functools.lru_cache(maxsize=16)
 def _parsed(content):
-    lines = content.split("\n")
-    header = next((number for number, line in enumerate(lines, 1) if line.strip(" \t#")), None)
-    if header is None:
-        raise InvalidInput(f"it is empty; {_HEADER_CURE}")
-    names, separator = _header(lines[header - 1], header)
+    lines = _clean(content).split("\n")
+    header = _header_line(lines)
+    names, separator = _header(lines[header - 1].strip().lstrip("#"), header)
     rows, numbers = [], []  # of what is no comment, and of the lines where it stands
     for number, line in enumerate(lines[header:], header + 1):
         if line.strip() and not line.lstrip().startswith("#"):
@@ -140,12 +149,23 @@ def _parsed(content):
 _HEADER_CURE = "begin with a line that names the columns, such as 'x, y, value'"
 
 
+def _header_line(lines):
+    """The number of the first that is no comment, or of the comment above it: numpy.savetxt makes one of the header."""
+    comment = None
+    for number, line in enumerate(lines, 1):
+        if line.strip().startswith("#"):
+            comment = number
+        elif line.strip():
+            begins_with_number = _is_number(re.split("[;,\\s]", line.strip())[0])
+            return comment if begins_with_number and comment else number
+    raise InvalidInput(f"it is empty; {_HEADER_CURE}")
+
+
 def _header(line, number):
     """The names of the coordinates, and what separates columns: None for white space."""
-    line = line.strip().lstrip("#")  # numpy.savetxt writes one
     separator = next((mark for mark in ";," if mark in line), None)
     names = [cell.strip().strip("'\"").lower() for cell in line.split(separator)]
-    if all(_is_number(name) for name in names):
+    if _is_number(names[0]):
         raise InvalidInput(f"line {number}: there is no header; {_HEADER_CURE}")
     *coordinates, last = names
     if last != "value" or not 1 <= len(coordinates) <= 3:
