@@ -292,6 +292,10 @@
       <translation>Stift in einer Platte, zwei Festkörper mit je einem Material</translation>
     </message>
     <message>
+      <source>Pin, hardened, by a table of measured values</source>
+      <translation>Stift, gehärtet, nach einer Tabelle gemessener Werte</translation>
+    </message>
+    <message>
       <source>Plain</source>
       <translation>Schlicht</translation>
     </message>

@@ -10,7 +10,7 @@ All in the caller's process, where a crash of OpenCASCADE or CGAL on a bad shape
     result.points, result.tets, core.report(result)
 
 Lengths are mm, angles degrees, fractions dimensionless in [0, 1]. `read_table` reads what t1 t2 ... of formulas are
-the values of, `table_texts` gives tables as text. `Material`, `MeshingOptions`, `RunControl`
+the values of, `table_text` gives one as text, `table_texts` those of a material. `Material`, `MeshingOptions`, `RunControl`
 and the exceptions are those of the C++ side; `help()` of each tells its fields. `versions()` tells what this
 was built with.
 
@@ -45,6 +45,7 @@ from freecad.fgmesh._core import (
 )
 from freecad.fgmesh.sampled_table import read as read_table
 from freecad.fgmesh.sampled_table import read_all as _read_tables
+from freecad.fgmesh.sampled_table import text as table_text
 from freecad.fgmesh.sampled_table import texts as table_texts
 
 __all__ = [
@@ -69,6 +70,7 @@ __all__ = [
     "read_table",
     "references",
     "report",
+    "table_text",
     "table_texts",
     "versions",
 ]

@@ -56,7 +56,7 @@ def test_undo_and_copies(tabled_box, fgmesh):
     link = tabled_box.Document.addObject("App::Link", "Link")
     link.LinkedObject = tabled_box
     tabled_box.Document.recompute()
-    assert fractions_at(tabled_box, [7]) == pytest.approx(expected_at([7]))
+    assert fractions_at(link, [7]) == pytest.approx(expected_at([7]))
 
 
 def test_no_text_of_a_document_is_a_path(tabled_box, core, tmp_path):

@@ -35,7 +35,7 @@ class TableList(NumberedList):
         kinds = translate("Tables (*.csv *.txt *.dat *.tsv);;All files (*)")
         paths, _ = QtGui.QFileDialog.getOpenFileNames(self, translate("Sampled tables"), folder, kinds)
         try:
-            texts = [core.table_texts([path])[0] for path in paths]
+            texts = [core.table_text(path) for path in paths]
             for text, path in zip(texts, paths):
                 core.read_table(text, path)
         except core.InvalidInput as error:
