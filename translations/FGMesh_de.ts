@@ -40,6 +40,10 @@
       <translation>Hinzufügen</translation>
     </message>
     <message>
+      <source>Add ...</source>
+      <translation>Hinzufügen ...</translation>
+    </message>
+    <message>
       <source>Anisotropy</source>
       <translation>Anisotropie</translation>
     </message>
@@ -54,6 +58,10 @@
     <message>
       <source>Bracket, from one face to another</source>
       <translation>Winkel, von einer Fläche zur anderen</translation>
+    </message>
+    <message>
+      <source>CSV files: a header such as r, z, value, then a row for each sample; the rows fill a grid</source>
+      <translation>CSV-Dateien: eine Kopfzeile wie r, z, value, dann eine Zeile je Stützstelle; die Zeilen füllen ein Gitter</translation>
     </message>
     <message>
       <source>Cancel</source>
@@ -288,6 +296,10 @@
       <translation>Stift in einer Platte, zwei Festkörper mit je einem Material</translation>
     </message>
     <message>
+      <source>Pin, hardened, by a table of measured values</source>
+      <translation>Stift, gehärtet, nach einer Tabelle gemessener Werte</translation>
+    </message>
+    <message>
       <source>Plain</source>
       <translation>Schlicht</translation>
     </message>
@@ -338,6 +350,10 @@
     <message>
       <source>Run</source>
       <translation>Lauf</translation>
+    </message>
+    <message>
+      <source>Sampled tables</source>
+      <translation>Wertetabellen</translation>
     </message>
     <message>
       <source>Save</source>
@@ -392,8 +408,16 @@
       <translation>Flächenabweichung</translation>
     </message>
     <message>
+      <source>Tables (*.csv *.txt *.dat *.tsv);;All files (*)</source>
+      <translation>Tabellen (*.csv *.txt *.dat *.tsv);;Alle Dateien (*)</translation>
+    </message>
+    <message>
       <source>Tables (*.csv)</source>
       <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+      <source>Tables of t1 t2 ...</source>
+      <translation>Tabellen für t1 t2 ...</translation>
     </message>
     <message>
       <source>Ten-node tetrahedra</source>
@@ -448,8 +472,8 @@
       <translation>Volumenanteil von Bestandteil {}</translation>
     </message>
     <message>
-      <source>Volume fraction, 0 to 1, over x y z r theta d (mm, radians, in the material's frame), the parameters, and d1 d2 ..., the distances to the references; the last constituent is what the others leave</source>
-      <translation>Volumenanteil, 0 bis 1, aus x y z r theta d (mm, Bogenmaß, im Bezugssystem des Materials), den Parametern und d1 d2 ..., den Abständen zu den Referenzen; der letzte Bestandteil ist, was die anderen übrig lassen</translation>
+      <source>Volume fraction, 0 to 1, over x y z r theta d (mm, radians, in the material's frame), the parameters, d1 d2 ..., the distances to the references, and t1 t2 ..., the values of the tables; the last constituent is what the others leave</source>
+      <translation>Volumenanteil, 0 bis 1, aus x y z r theta d (mm, Bogenmaß, im Bezugssystem des Materials), den Parametern, d1 d2 ..., den Abständen zu den Referenzen, und t1 t2 ..., den Werten der Tabellen; der letzte Bestandteil ist, was die anderen übrig lassen</translation>
     </message>
     <message>
       <source>Write a formula, or choose a ready grading above</source>
@@ -584,6 +608,10 @@ max {max:.4f}</translation>
     <message>
       <source>starting</source>
       <translation>Start</translation>
+    </message>
+    <message>
+      <source>t1 is the value of the first of them at a point, t2 of the second, and so on</source>
+      <translation>t1 ist der Wert der ersten an einem Punkt, t2 der der zweiten und so weiter</translation>
     </message>
     <message>
       <source>tetrahedra</source>

@@ -15,7 +15,9 @@
 #include "core/error.hpp"
 #include "core/run_control.hpp"
 #include "material/formula_error.hpp"
+#include "material/formula_names.hpp"
 #include "material/material.hpp"
+#include "material/sampled_table.hpp"
 
 namespace py = pybind11;
 
@@ -140,34 +142,104 @@ std::pair<std::vector<double>, std::vector<double>> bounds(const Material& mater
   return {lowest, highest};
 }
 
+/// From {"x": places, ...} and the values at them.
+std::shared_ptr<SampledTable> make_table(const py::dict& places, const Array& values) {
+  std::vector<SampledTable::Axis> axes;
+  std::vector<py::ssize_t> shape;
+  for (const auto& [key, value] : places) {
+    const std::string name = py::cast<std::string>(key);
+    const auto coordinate = find_variable(name);
+    if (!coordinate)
+      throw InvalidInput("a table has no coordinate " + in_quotes(name) + ": known are x y z r theta d");
+    axes.push_back({*coordinate, py::cast<std::vector<double>>(value)});
+    shape.push_back(static_cast<py::ssize_t>(axes.back().places.size()));
+  }
+  if (!std::equal(shape.begin(), shape.end(), values.shape(), values.shape() + values.ndim())) {
+    throw InvalidInput("the values of a table must have the shape " +
+                       py::cast<std::string>(py::str(py::tuple(py::cast(shape)))) +
+                       ": one for each place of each coordinate");
+  }
+  return std::make_shared<SampledTable>(std::move(axes),
+                                        std::vector<double>(values.data(), values.data() + values.size()));
+}
+
+py::dict table_places(const SampledTable& table) {
+  py::dict places;
+  for (const SampledTable::Axis& axis : table.axes())
+    places[py::str(std::string(variable_name(axis.coordinate)))] =
+        Array(static_cast<py::ssize_t>(axis.places.size()), axis.places.data());
+  return places;
+}
+
+Array table_values(const SampledTable& table) {
+  std::vector<py::ssize_t> shape;
+  for (const SampledTable::Axis& axis : table.axes())
+    shape.push_back(static_cast<py::ssize_t>(axis.places.size()));
+  return Array(shape, table.values().data());
+}
+
+constexpr char kTableDoc[] = R"(SampledTable(places, values)
+
+Values on a rectilinear grid over one to three coordinates of a material's frame: linear in each of them between
+samples, held constant outside of the grid. places: {coordinate: ascending places, two at least}, coordinates of
+x y z r d (mm) and theta (radians, from -pi to pi). values: an array with a direction for each coordinate. Immutable;
+core.read_table() makes one of a file. Raises InvalidInput for numbers that make no grid.)";
+
 constexpr char kMaterialDoc[] =
-    R"(Material(fractions, parameters={}, origin=(0, 0, 0), rotation=identity, references=[])
+    R"(Material(fractions, parameters={}, origin=(0, 0, 0), rotation=identity, references=[], tables=[])
 
 A graded material of k constituents. fractions: a list of k - 1 formulas, the volume fractions of all
-constituents but the last, which is the remainder, over x y z r theta d, pi, e, the parameters and the distances to
-references. parameters: dict of name to number. origin (mm) and rotation (3x3, columns are the axes) place the frame that the formula measures in.
+constituents but the last, which is the remainder, over x y z r theta d, pi, e, the parameters, the distances to
+references and the values of tables. parameters: dict of name to number. origin (mm) and rotation (3x3, columns are the axes) place the frame that the formula measures in.
 references: a list of Reference, see core.references(); d1 d2 ... are the distances to them in mm, to the boundary
-where they are solids; s1 s2 ... those to solids with a sign, below zero inside. Immutable.
+where they are solids; s1 s2 ... those to solids with a sign, below zero inside. tables: a list of what
+core.read_table() takes, or of SampledTable; t1 t2 ... are their values at the point. Immutable.
 Raises FormulaError where a text is no formula, InvalidInput for a parameter or frame that has no meaning.)";
 
 }  // namespace
 
 void bind_material(py::module_& module) {
+  py::class_<SampledTable, std::shared_ptr<SampledTable>>(module, "SampledTable", kTableDoc)
+      .def(py::init(&make_table), py::arg("places"), py::arg("values"))
+      .def_property_readonly("places", &table_places, "{coordinate: its places, (n,)}, as they were given.")
+      .def_property_readonly("values", &table_values, "A direction for each coordinate.")
+      .def_property_readonly_static(
+          "max_values", [](const py::object&) { return SampledTable::kMaxValues; }, "The most that one has.")
+      .def(
+          "__eq__", [](const SampledTable& a, const SampledTable& b) { return a == b; }, py::is_operator())
+      .def("__repr__", [](const SampledTable& table) {
+        std::string text = "<SampledTable:";
+        for (const SampledTable::Axis& axis : table.axes())
+          text +=
+              " " + std::to_string(axis.places.size()) + " of " + std::string(variable_name(axis.coordinate));
+        return text + ">";
+      });
+
   py::class_<Material>(module, "Material", kMaterialDoc)
       .def(py::init([](const std::vector<std::string>& fractions,
                        const std::map<std::string, double>& parameters, const Vec3& origin,
-                       const Eigen::Matrix3d& rotation, const std::vector<Reference>& references) {
-             return std::make_unique<Material>(fractions, parameters, Frame{origin, rotation}, references);
+                       const Eigen::Matrix3d& rotation, const std::vector<Reference>& references,
+                       const std::vector<std::shared_ptr<SampledTable>>& tables) {
+             return std::make_unique<Material>(fractions, parameters, Frame{origin, rotation}, references,
+                                               Tables(tables.begin(), tables.end()));
            }),
            py::arg("fractions"), py::arg("parameters") = std::map<std::string, double>(),
            py::arg("origin") = Frame().origin, py::arg("rotation") = Frame().rotation,
-           py::arg("references") = std::vector<Reference>())
+           py::arg("references") = std::vector<Reference>(), py::kw_only(),
+           py::arg("tables") = std::vector<std::shared_ptr<SampledTable>>())
       .def_property_readonly("fractions", &Material::fractions)
       .def_property_readonly("parameters", &Material::parameters)
       .def_property_readonly("origin", [](const Material& material) { return Vec3(material.frame().origin); })
       .def_property_readonly(
           "rotation", [](const Material& material) { return Eigen::Matrix3d(material.frame().rotation); })
       .def_property_readonly("references", &Material::references)
+      .def_property_readonly("tables",
+                             [](const Material& material) {
+                               std::vector<std::shared_ptr<SampledTable>> tables;
+                               for (const auto& table : material.tables())  // bindings know no const
+                                 tables.push_back(std::const_pointer_cast<SampledTable>(table));
+                               return tables;
+                             })
       .def("evaluate", &evaluate, py::arg("points"), py::arg("distances") = py::none(),
            "Volume fractions (n, k) of all constituents at points (n, 3) in mm; NaN where a formula is not "
            "defined. distances "

@@ -14,6 +14,9 @@
 namespace fgmesh {
 namespace {
 
+constexpr std::size_t kMaxNumber = 9999;  // of a reference or a table
+constexpr std::size_t kFirstTable = kCoordinateCount + 2 * kMaxNumber;
+
 constexpr std::array<std::string_view, kCoordinateCount> kVariableNames = {"x", "y", "z", "r", "theta", "d"};
 
 struct NamedConstant {
@@ -29,7 +32,14 @@ bool is_identifier(std::string_view name) {
 }
 
 bool is_reserved(std::string_view name) {
-  return find_variable(name) || find_constant(name) || find_function(name) || is_reference_name(name);
+  return find_variable(name) || find_constant(name) || find_function(name) || is_numbered_name(name);
+}
+
+/// Of a numbered name, where it is at most kMaxNumber.
+std::optional<std::size_t> number_of(std::string_view name) {
+  constexpr std::size_t kMostDigits = 4;
+  if (!is_numbered_name(name) || name.size() > 1 + kMostDigits) return std::nullopt;
+  return std::stoul(std::string(name.substr(1)));
 }
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
@@ -70,6 +80,10 @@ std::optional<Variable> find_variable(std::string_view name) {
   return static_cast<Variable>(found - kVariableNames.begin());
 }
 
+std::string_view variable_name(Variable coordinate) {
+  return kVariableNames[static_cast<std::size_t>(coordinate)];
+}
+
 std::optional<Constant> find_constant(std::string_view name) {
   for (const NamedConstant& constant : kConstants) {
     if (constant.name != name) continue;
@@ -86,16 +100,31 @@ Variable to_variable(const ReferenceDistance& distance) {
 
 std::optional<ReferenceDistance> to_reference(Variable variable) {
   const std::size_t place = static_cast<std::size_t>(variable);
-  if (place < kCoordinateCount) return std::nullopt;
+  if (place < kCoordinateCount || place >= kFirstTable) return std::nullopt;
   return ReferenceDistance{(place - kCoordinateCount) / 2, (place - kCoordinateCount) % 2 == 1};
 }
 
-std::optional<ReferenceDistance> find_reference(std::string_view name) {
-  if (!is_reference_name(name) || name[0] == 't' || name.size() > 5) return std::nullopt;
-  return ReferenceDistance{std::stoul(std::string(name.substr(1))) - 1, name[0] == 's'};
+Variable table_variable(std::size_t index) { return static_cast<Variable>(kFirstTable + index); }
+
+std::optional<std::size_t> to_table(Variable variable) {
+  const std::size_t place = static_cast<std::size_t>(variable);
+  if (place < kFirstTable) return std::nullopt;
+  return place - kFirstTable;
 }
 
-bool is_reference_name(std::string_view name) {
+std::optional<ReferenceDistance> find_reference(std::string_view name) {
+  const auto number = number_of(name);
+  if (!number || name[0] == 't') return std::nullopt;
+  return ReferenceDistance{*number - 1, name[0] == 's'};
+}
+
+std::optional<std::size_t> find_table(std::string_view name) {
+  const auto number = number_of(name);
+  if (!number || name[0] != 't') return std::nullopt;
+  return *number - 1;
+}
+
+bool is_numbered_name(std::string_view name) {
   return name.size() >= 2 && (name[0] == 'd' || name[0] == 's' || name[0] == 't') && name[1] != '0' &&
          std::all_of(name.begin() + 1, name.end(), is_digit);
 }

@@ -12,7 +12,7 @@
 namespace fgmesh {
 
 /// What a formula may read at a point. Lengths in mm, the angle in radians. The coordinates are those in the
-/// material's frame; distances to references follow them: d1 s1 d2 s2 ...
+/// material's frame; distances to references follow them: d1 s1 d2 s2 ..., and behind these tables: t1 t2 ...
 enum class Variable : std::size_t { kX, kY, kZ, kRadius, kAngle, kDistance };
 constexpr std::size_t kCoordinateCount = 6;
 
@@ -22,13 +22,20 @@ struct ReferenceDistance {
   bool is_signed;
 };
 Variable to_variable(const ReferenceDistance& distance);
-/// None for a coordinate.
+/// None for a coordinate or a table.
 std::optional<ReferenceDistance> to_reference(Variable variable);
+
+/// Index, from 0, of the table whose value is meant.
+Variable table_variable(std::size_t index);
+/// None for a coordinate or a distance.
+std::optional<std::size_t> to_table(Variable variable);
 
 bool is_letter(char c);
 bool is_digit(char c);
 
+/// That of a coordinate.
 std::optional<Variable> find_variable(std::string_view name);
+std::string_view variable_name(Variable coordinate);
 
 /// A number of the language and an interval that holds it exactly: pi is no double.
 struct Constant {
@@ -41,8 +48,11 @@ std::optional<Constant> find_constant(std::string_view name);
 /// "d1", "s2", ... where the number is at most 9999.
 std::optional<ReferenceDistance> find_reference(std::string_view name);
 
+/// Index of the table that "t1", "t2", ... names, where the number is at most 9999.
+std::optional<std::size_t> find_table(std::string_view name);
+
 /// "d1", "s2", "t1", ...: distances to references, and tables.
-bool is_reference_name(std::string_view name);
+bool is_numbered_name(std::string_view name);
 
 /// Throws InvalidInput, naming the parameter, for a name that is none or is taken, and for a value not
 /// finite.

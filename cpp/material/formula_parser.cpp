@@ -9,11 +9,18 @@ namespace {
 
 using Operand = ProgramBuilder::Operand;
 
+/// For "but ... given".
+std::string how_many(std::size_t count) {
+  if (count == 0) return "none is";
+  if (count == 1) return "only one is";
+  return "only " + std::to_string(count) + " are";
+}
+
 class FormulaParser {
  public:
   FormulaParser(std::string_view text, const std::map<std::string, double>& parameters,
-                const std::vector<Reference>& references)
-      : parameters_(parameters), references_(references), lexer_(text) {}
+                const std::vector<Reference>& references, std::size_t table_count)
+      : parameters_(parameters), references_(references), table_count_(table_count), lexer_(text) {}
 
   FormulaProgram parse() {
     advance();
@@ -52,6 +59,7 @@ class FormulaParser {
   Operand group();
   Operand named(const Token& name);
   Operand distance(const Token& name);
+  Operand table(const Token& name);
   Operand call(const Token& name, const Operation& function);
   void close(std::size_t opening);
   Operand apply(const Operation& operation, const std::vector<Operand>& operands);
@@ -63,6 +71,7 @@ class FormulaParser {
 
   const std::map<std::string, double>& parameters_;
   const std::vector<Reference>& references_;
+  std::size_t table_count_;
   FormulaLexer lexer_;
   Token token_;     // the one to be read next
   Token previous_;  // the one read last
@@ -191,9 +200,9 @@ Operand FormulaParser::named(const Token& name) {
     if (called) return call(name, *function);
     fail_at(name.position, "the function " + in_quotes(name.text) + " needs its arguments in parentheses");
   }
-  if (is_reference_name(name.text)) {
+  if (is_numbered_name(name.text)) {
     if (called) fail_no_function(name);
-    return distance(name);
+    return name.text[0] == 't' ? table(name) : distance(name);
   }
   const auto variable = find_variable(name.text);
   const auto constant = find_constant(name.text);
@@ -210,15 +219,10 @@ Operand FormulaParser::named(const Token& name) {
 
 Operand FormulaParser::distance(const Token& name) {
   const std::string quoted = in_quotes(name.text);
-  if (name.text[0] == 't') fail_at(name.position, "tables such as " + quoted + " are not available yet");
   const auto found = find_reference(name.text);
-  const std::size_t count = references_.size();
-  if (!found || found->index >= count) {
-    const std::string given = count == 0   ? "none is"
-                              : count == 1 ? "only one is"
-                                           : "only " + std::to_string(count) + " are";
+  if (!found || found->index >= references_.size()) {
     fail_at(name.position, quoted + " is the distance to reference " + std::string(name.text.substr(1)) +
-                               ", but " + given +
+                               ", but " + how_many(references_.size()) +
                                " given; add the face, edge, vertex or solid that is meant");
   }
   if (found->is_signed && !references_[found->index].is_solid) {
@@ -227,6 +231,16 @@ Operand FormulaParser::distance(const Token& name) {
                                std::string(name.text.substr(1)) + " for the distance without a sign");
   }
   return builder_.variable(to_variable(*found));
+}
+
+Operand FormulaParser::table(const Token& name) {
+  const auto found = find_table(name.text);
+  if (!found || *found >= table_count_) {
+    fail_at(name.position, in_quotes(name.text) + " is the value of table " +
+                               std::string(name.text.substr(1)) + ", but " + how_many(table_count_) +
+                               " given; add the table that is meant");
+  }
+  return builder_.variable(table_variable(*found));
 }
 
 Operand FormulaParser::call(const Token& name, const Operation& function) {
@@ -290,12 +304,12 @@ void FormulaParser::fail_no_function(const Token& name) const {
 }  // namespace
 
 FormulaProgram parse_formula(std::string_view text, const std::map<std::string, double>& parameters,
-                             const std::vector<Reference>& references) {
+                             const std::vector<Reference>& references, std::size_t table_count) {
   if (text.size() > kMaxFormulaLength) {
     fail_at(kMaxFormulaLength, "the formula has " + std::to_string(text.size()) + " characters; at most " +
                                    std::to_string(kMaxFormulaLength) + " are allowed");
   }
-  return FormulaParser(text, parameters, references).parse();
+  return FormulaParser(text, parameters, references, table_count).parse();
 }
 
 }  // namespace fgmesh

@@ -15,8 +15,8 @@ namespace fgmesh {
 constexpr std::size_t kMaxFormulaLength = 10000;
 constexpr int kMaxFormulaDepth = 100;
 
-/// Reads a formula over x y z r theta d, pi, e, `parameters` (checked already) and distances d1 s1 ... to
-/// `references` into a program:
+/// Reads a formula over x y z r theta d, pi, e, `parameters` (checked already), distances d1 s1 ... to
+/// `references` and values t1 t2 ... of `table_count` tables into a program:
 ///
 ///     expression = comparison [ "?" expression ":" expression ]
 ///     comparison = sum [ ("<" | "<=" | ">" | ">=" | "==" | "!=") sum ]
@@ -29,6 +29,6 @@ constexpr int kMaxFormulaDepth = 100;
 /// Nothing but numbers can come of it, whoever wrote the text. Throws FormulaError, with the position, where
 /// the text is none, is longer than kMaxFormulaLength bytes or nests deeper than kMaxFormulaDepth.
 FormulaProgram parse_formula(std::string_view text, const std::map<std::string, double>& parameters,
-                             const std::vector<Reference>& references);
+                             const std::vector<Reference>& references, std::size_t table_count);
 
 }  // namespace fgmesh

@@ -28,14 +28,14 @@ void check_frame(const Frame& frame) {
 
 std::vector<FormulaProgram> programs_of(const std::vector<std::string>& fractions,
                                         const std::map<std::string, double>& parameters,
-                                        const std::vector<Reference>& references) {
+                                        const std::vector<Reference>& references, std::size_t table_count) {
   if (fractions.empty()) {
     throw InvalidInput("a material needs a formula: the volume fraction of its first constituent");
   }
   std::vector<FormulaProgram> result;
   for (std::size_t i = 0; i < fractions.size(); ++i) {
     try {
-      result.push_back(parse_formula(fractions[i], parameters, references));
+      result.push_back(parse_formula(fractions[i], parameters, references, table_count));
     } catch (const FormulaError& error) {
       if (fractions.size() == 1) throw;
       throw FormulaError("formula " + std::to_string(i + 1) + ": " + error.what(), error.position(), i);
@@ -56,15 +56,17 @@ struct Material::State {
   std::map<std::string, double> parameters;
   Frame frame;
   std::vector<Reference> references;
+  Tables tables;
   std::vector<FormulaProgram> programs;
 };
 
 Material::Material(const std::vector<std::string>& fractions, const std::map<std::string, double>& parameters,
-                   const Frame& frame, const std::vector<Reference>& references) {
+                   const Frame& frame, const std::vector<Reference>& references, const Tables& tables) {
   check_frame(frame);
-  std::vector<FormulaProgram> programs = programs_of(fractions, checked(parameters), references);
-  state_ =
-      std::make_unique<const State>(State{fractions, parameters, frame, references, std::move(programs)});
+  std::vector<FormulaProgram> programs =
+      programs_of(fractions, checked(parameters), references, tables.size());
+  state_ = std::make_unique<const State>(
+      State{fractions, parameters, frame, references, tables, std::move(programs)});
 }
 
 Material::Material(Material&&) noexcept = default;
@@ -73,20 +75,20 @@ Material::~Material() = default;
 int Material::constituents() const { return static_cast<int>(state_->programs.size()) + 1; }
 
 void Material::evaluate(const Vec3* points, std::size_t count, double* fractions) const {
-  const PointVariables variables(state_->frame, state_->references, points);
+  const PointVariables variables(state_->frame, state_->references, state_->tables, points);
   for (std::size_t i = 0; i < state_->programs.size(); ++i)
     state_->programs[i].evaluate(variables, count, fractions + i * count);
 }
 
 void Material::evaluate(const Vec3* points, std::size_t count, double* fractions, Vec3* gradients) const {
-  const PointVariables variables(state_->frame, state_->references, points);
+  const PointVariables variables(state_->frame, state_->references, state_->tables, points);
   for (std::size_t i = 0; i < state_->programs.size(); ++i)
     state_->programs[i].evaluate(variables, count, fractions + i * count, gradients + i * count);
 }
 
 void Material::evaluate_at(const Vec3* points, const double* distances, std::size_t count,
                            double* fractions) const {
-  const PointVariables variables(state_->frame, state_->references, points, distances);
+  const PointVariables variables(state_->frame, state_->references, state_->tables, points, distances);
   for (std::size_t i = 0; i < state_->programs.size(); ++i)
     state_->programs[i].evaluate(variables, count, fractions + i * count);
 }
@@ -95,7 +97,7 @@ void Material::bounds(const Box& box, double* low, double* high) const {
   for (const FormulaProgram& program : state_->programs) {
     std::vector<Interval> inputs;
     for (const Variable variable : program.variables()) {
-      inputs.push_back(variable_bounds(state_->frame, state_->references, box, variable));
+      inputs.push_back(variable_bounds(state_->frame, state_->references, state_->tables, box, variable));
     }
     const Interval result = program.bounds(inputs);
     const bool defined = !result.is_empty();
@@ -108,5 +110,6 @@ const std::vector<std::string>& Material::fractions() const { return state_->fra
 const std::map<std::string, double>& Material::parameters() const { return state_->parameters; }
 const Frame& Material::frame() const { return state_->frame; }
 const std::vector<Reference>& Material::references() const { return state_->references; }
+const Tables& Material::tables() const { return state_->tables; }
 
 }  // namespace fgmesh

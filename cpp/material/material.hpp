@@ -8,6 +8,7 @@
 
 #include "core/composition_field.hpp"
 #include "core/reference.hpp"
+#include "material/sampled_table.hpp"
 
 namespace fgmesh {
 
@@ -17,14 +18,17 @@ struct Frame {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
 };
 
+/// Shared, since copies of a material are made while its references are read.
+using Tables = std::vector<std::shared_ptr<const SampledTable>>;
+
 /// A functionally graded material: the volume fractions of all constituents but the last are formulas over
-/// x y z r theta d, named parameters and distances to references, the last is the remainder (paper,
-/// equation 2.1). Immutable, so safe to share between threads.
+/// x y z r theta d, named parameters, distances to references and values of tables, the last is the remainder
+/// (paper, equation 2.1). Immutable, so safe to share between threads.
 class Material final : public CompositionField {
  public:
   /// Throws FormulaError for a text that is no formula, InvalidInput for parameters with forbidden names.
   Material(const std::vector<std::string>& fractions, const std::map<std::string, double>& parameters = {},
-           const Frame& frame = {}, const std::vector<Reference>& references = {});
+           const Frame& frame = {}, const std::vector<Reference>& references = {}, const Tables& tables = {});
 
   int constituents() const override;
   void evaluate(const Vec3* points, std::size_t count, double* fractions) const override;
@@ -39,6 +43,7 @@ class Material final : public CompositionField {
   const std::map<std::string, double>& parameters() const;
   const Frame& frame() const;
   const std::vector<Reference>& references() const;
+  const Tables& tables() const;
 
   Material(Material&&) noexcept;
   ~Material() override;

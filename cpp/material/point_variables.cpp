@@ -3,9 +3,12 @@
 
 #include <cmath>
 
+#include "material/formula_operation.hpp"
+
 namespace fgmesh {
 
 void PointVariables::values(Variable variable, std::size_t first, std::size_t count, double* out) const {
+  if (const auto table = to_table(variable)) return table_values(*tables_[*table], first, count, out);
   const auto reference = to_reference(variable);
   if (!reference) return coordinates_.values(variable, first, count, out);
   if (distances_)
@@ -19,6 +22,7 @@ void PointVariables::values(Variable variable, std::size_t first, std::size_t co
 
 void PointVariables::duals(Variable variable, std::size_t first, std::size_t count, std::size_t stride,
                            double* out) const {
+  if (const auto table = to_table(variable)) return table_duals(*tables_[*table], first, count, stride, out);
   const auto reference = to_reference(variable);
   if (!reference) return coordinates_.duals(variable, first, count, stride, out);
   const Reference& source = references_[reference->index];
@@ -34,8 +38,51 @@ void PointVariables::duals(Variable variable, std::size_t first, std::size_t cou
   }
 }
 
-Interval variable_bounds(const Frame& frame, const std::vector<Reference>& references, const Box& box,
-                         Variable variable) {
+void PointVariables::table_values(const SampledTable& table, std::size_t first, std::size_t count,
+                                  double* out) const {
+  double at[SampledTable::kMaxCoordinates];
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t axis = 0; axis < table.axes().size(); ++axis)
+      coordinates_.values(table.axes()[axis].coordinate, first + i, 1, at + axis);
+    out[i] = table.value(at);
+  }
+}
+
+void PointVariables::table_duals(const SampledTable& table, std::size_t first, std::size_t count,
+                                 std::size_t stride, double* out) const {
+  const std::size_t axes = table.axes().size();
+  double at[SampledTable::kMaxCoordinates];
+  double duals[SampledTable::kMaxCoordinates][4];  // value and gradient of each coordinate
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t axis = 0; axis < axes; ++axis) {
+      coordinates_.duals(table.axes()[axis].coordinate, first + i, 1, 1, duals[axis]);
+      at[axis] = duals[axis][0];
+    }
+    double gradient[3] = {};
+    for (std::size_t axis = 0; axis < axes; ++axis) {
+      const double slope = table.slope(at, axis);
+      for (int k = 0; k < 3; ++k) gradient[k] += detail::chain(slope, duals[axis][k + 1]);
+    }
+    out[i] = table.value(at);
+    // Infinite slopes may cancel each other.
+    for (int k = 0; k < 3; ++k) out[(k + 1) * stride + i] = std::isnan(gradient[k]) ? 0.0 : gradient[k];
+  }
+}
+
+namespace {
+
+Interval table_bounds(const Frame& frame, const SampledTable& table, const Box& box) {
+  Interval at[SampledTable::kMaxCoordinates];
+  for (std::size_t axis = 0; axis < table.axes().size(); ++axis)
+    at[axis] = coordinate_bounds(frame, box, table.axes()[axis].coordinate);
+  return table.bounds(at);
+}
+
+}  // namespace
+
+Interval variable_bounds(const Frame& frame, const std::vector<Reference>& references, const Tables& tables,
+                         const Box& box, Variable variable) {
+  if (const auto table = to_table(variable)) return table_bounds(frame, *tables[*table], box);
   const auto reference = to_reference(variable);
   if (!reference) return coordinate_bounds(frame, box, variable);
   if (!(box.low.array() <= box.high.array()).all()) return Interval::empty();

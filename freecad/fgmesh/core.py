@@ -9,7 +9,8 @@ All in the caller's process, where a crash of OpenCASCADE or CGAL on a bad shape
     result = core.generate_mesh("part.step", material, core.MeshingOptions(material_threshold=0.1))
     result.points, result.tets, core.report(result)
 
-Lengths are mm, angles degrees, fractions dimensionless in [0, 1]. `Material`, `MeshingOptions`, `RunControl`
+Lengths are mm, angles degrees, fractions dimensionless in [0, 1]. `read_table` reads what t1 t2 ... of formulas are
+the values of, `table_text` gives one as text, `table_texts` those of a material. `Material`, `MeshingOptions`, `RunControl`
 and the exceptions are those of the C++ side; `help()` of each tells its fields. `versions()` tells what this
 was built with.
 
@@ -35,13 +36,17 @@ from freecad.fgmesh._core import (
     FormulaError,
     GeometryError,
     InvalidInput,
-    Material,
     MeshingOptions,
     Reference,
     RunControl,
+    SampledTable,
     caret_excerpt,
     versions,
 )
+from freecad.fgmesh.sampled_table import read as read_table
+from freecad.fgmesh.sampled_table import read_all as _read_tables
+from freecad.fgmesh.sampled_table import text as table_text
+from freecad.fgmesh.sampled_table import texts as table_texts
 
 __all__ = [
     "Cancelled",
@@ -54,6 +59,7 @@ __all__ = [
     "MeshingResult",
     "Reference",
     "RunControl",
+    "SampledTable",
     "caret_excerpt",
     "distances",
     "estimate",
@@ -61,10 +67,25 @@ __all__ = [
     "generate_mesh",
     "read_references",
     "read_shape",
+    "read_table",
     "references",
     "report",
+    "table_text",
+    "table_texts",
     "versions",
 ]
+
+
+class _ReadsTables(type(_core.Material)):
+    """Turns texts and paths among `tables` into what the compiled class takes. Not its __init__ does: while that fails,
+    whoever looks at the object (a traceback with values does) reads memory that nobody has written."""
+
+    def __call__(cls, *arguments, tables=(), **named):
+        return super().__call__(*arguments, tables=_read_tables(tables), **named)
+
+
+class Material(_core.Material, metaclass=_ReadsTables):
+    __doc__ = _core.Material.__doc__
 
 
 class MeshingResult:
@@ -198,7 +219,12 @@ def _with_references(materials, control):
         found = [next(read) for _ in material.references]
         if not all(one.is_read for one in material.references):
             once[key] = Material(
-                material.fractions, material.parameters, material.origin, material.rotation, found
+                material.fractions,
+                material.parameters,
+                material.origin,
+                material.rotation,
+                found,
+                tables=material.tables,
             )
     return [once[id(material)] for material in materials]
 

@@ -103,23 +103,54 @@ FORMULA = {
 }
 
 
-@pytest.mark.parametrize("name", EXACT_VOLUME)
-def test_case_study(name, source_dir, fgmesh):
-    """At a threshold that needs few tetrahedra; the surface as fine as in the demo."""
-    spec = importlib.util.spec_from_file_location(f"examples.{name}", source_dir / "examples" / f"{name}.py")
-    example = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(example)
-    mesh = example.build()
-    try:
-        mesh.MaterialThreshold = 0.3
-        result = fgmesh.generate(mesh)
-        assert mesh.Status == "ok"
-        corners = result.points[result.tets]
-        volume = np.linalg.det(corners[:, 1:] - corners[:, :1]).sum() / 6
-        assert volume == pytest.approx(EXACT_VOLUME[name], rel=2e-3)
-        assert result.fractions[:, 0] == pytest.approx(FORMULA[name](*result.points.T), abs=1e-9)
-    finally:
+@pytest.fixture
+def example(source_dir):
+    """A function: the mesh object that an example builds, by the name of its macro."""
+    meshes = []
+
+    def build(name):
+        path = source_dir / "examples" / f"{name}.py"
+        spec = importlib.util.spec_from_file_location(f"examples.{name}", path)
+        macro = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(macro)
+        meshes.append(macro.build())
+        return meshes[-1]
+
+    yield build
+    for mesh in meshes:
         FreeCAD.closeDocument(mesh.Document.Name)
+
+
+def volume_of(result):
+    corners = result.points[result.tets]
+    return np.linalg.det(corners[:, 1:] - corners[:, :1]).sum() / 6
+
+
+@pytest.mark.parametrize("name", EXACT_VOLUME)
+def test_case_study(name, example, fgmesh):
+    """At a threshold that needs few tetrahedra; the surface as fine as in the demo."""
+    mesh = example(name)
+    mesh.MaterialThreshold = 0.3
+    result = fgmesh.generate(mesh)
+    assert mesh.Status == "ok"
+    assert volume_of(result) == pytest.approx(EXACT_VOLUME[name], rel=2e-3)
+    assert result.fractions[:, 0] == pytest.approx(FORMULA[name](*result.points.T), abs=1e-9)
+
+
+def test_the_hardened_pin_follows_its_table(example, fgmesh, source_dir):
+    """The table read and interpolated by NumPy: in z along each ring of samples, then from ring to ring."""
+    mesh = example("hardened_pin")
+    mesh.MaterialThreshold = 0.3
+    result = fgmesh.generate(mesh)
+    assert mesh.Status == "ok"
+    assert volume_of(result) == pytest.approx(math.pi * 10**2 * 40, rel=5e-3)
+    table = np.loadtxt(source_dir / "examples" / "hardened_pin.csv", delimiter=",", skiprows=2)
+    rings = np.unique(table[:, 0])
+    x, y, z = result.points.T
+    along = [np.interp(z, *table[table[:, 0] == ring][:, 1:].T) for ring in rings]
+    expected = [np.interp(r, rings, column) for r, column in zip(np.hypot(x, y), np.column_stack(along))]
+    assert result.fractions[:, 0] == pytest.approx(np.array(expected), abs=1e-9)
+    assert np.ptp(np.array(expected)[result.tets], axis=1).max() <= 0.3
 
 
 def test_a_macro_run_by_freecadcmd(source_dir, in_fresh_freecad, tmp_path):

@@ -10,6 +10,7 @@ TYPES = {
     "FGMFrame": "App::PropertyPlacement",
     "FGMReferences": "App::PropertyLinkSubListHidden",
     "FGMReferenceNames": "App::PropertyStringList",
+    "FGMTables": "App::PropertyStringList",
     "FGM_alpha": "App::PropertyFloat",
 }
 
@@ -72,6 +73,10 @@ def test_material_objects_as_constituents(box, fgmesh):
         ({"fractions": "s1/30", "references": ["Face1"]}, "write d1"),
         ({"fractions": "d1/30", "references": [3]}, "3"),
         ({"fractions": "d1/30", "references": [("Box", "Face1")]}, "document"),
+        ({"fractions": "t1/30"}, "'t1' is the value of table 1, but none is given"),
+        ({"fractions": "t1", "tables": ["z,value\n0,1\n"]}, "table t1: the coordinate z needs samples"),
+        ({"fractions": "t1", "tables": ["/no/such.csv"]}, "table t1 .*cannot read the file"),
+        ({"fractions": "t1", "tables": "z,value\n0,1\n1,2\n"}, "as a list"),
         ({"fractions": [3]}, "text"),
         ({"fractions": []}, None),
     ],

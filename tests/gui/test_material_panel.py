@@ -290,3 +290,79 @@ return dict(warns=warns, marked=marked, says=says, shown=shown, given=given, aga
     assert answer["left"] == ["Aluminum-Generic", False]
     assert answer["looks"] == [*answer["shown"], "Plain", "Smallest angles", "Largest variation"]
     assert answer["status"] == "ok"
+
+
+def test_tables_are_chosen_from_files_and_stay_without_them(drive, tmp_path):
+    """Added, wrong, removed and added again by the mouse; the macro replays after the files are gone."""
+    (tmp_path / "depth.csv").write_text("z, value\n0, 0.1\n20, 0.2\n60, 0.7\n")
+    (tmp_path / "ring.csv").write_text("r;z;value\n0;0;0.1\n0;60;0.1\n20;0;0\n20;60;0.3\n")
+    (tmp_path / "wrong.csv").write_text("z, value\n0, 0.1\n0, 0.7\n")
+    answer = drive(
+        CYLINDER
+        + f"""
+folder = {str(tmp_path)!r}
+def add_table(name):
+    def fill(dialog):
+        write(_inside(dialog, "fileNameEdit"), f"{{folder}}/{{name}}")
+        press(_inside(dialog, "fileNameEdit"), QtCore.Qt.Key_Return)
+    in_dialog(lambda: click("FGMeshAddTable"), fill)
+def rows():
+    return [widget("FGMeshTables").item(row).text() for row in range(widget("FGMeshTables").count())]
+def says():
+    return widget("FGMeshFormulaMessage").text()
+from driver import _inside
+from PySide import QtCore
+import os
+macro = record_macro("tables.FCMacro")
+command("FGMesh_Material")
+write("FGMeshConstituent1", "Steel-Generic")
+write("FGMeshConstituent2", "Aluminum-Generic")
+write("FGMeshFormula", "t1")
+missing = says()
+add_table("depth.csv")
+wait_until(lambda: says() == "On the solid: 0.1 to 0.7")
+add_table("ring.csv")
+write("FGMeshFormula", "t1 + t2")
+wait_until(lambda: says().startswith("On the solid: 0.1 to"))
+both = rows(), says()
+add_table("wrong.csv")
+wrong = says(), len(rows())
+picture(f"{{pictures}}/material-tables.png")
+widget("FGMeshTables").setCurrentRow(0)
+click("FGMeshRemoveTable")
+wait_until(lambda: "value of table 2" in says())
+left = rows()
+write("FGMeshFormula", "t1")
+wait_until(lambda: says() == "On the solid: 0 to 0.3")
+panel_button("Ok")
+stop_recording()
+given = list(part.FGMTables), list(part.FGMFractions)
+for name in ("depth.csv", "ring.csv", "wrong.csv"):
+    os.remove(f"{{folder}}/{{name}}")
+command("FGMesh_Material")
+again = rows()
+wait_until(lambda: says() == "On the solid: 0 to 0.3")
+panel_button("Cancel")
+document.undo()
+undone = hasattr(part, "FGMTables")
+with open(macro, encoding="utf-8") as file:
+    exec(file.read())
+replayed = list(part.FGMTables)
+return dict(missing=missing, both=both, wrong=wrong, left=left, given=given, again=again, undone=undone, replayed=replayed)
+"""
+    )
+    assert "'t1' is the value of table 1, but none is given" in answer["missing"]
+    assert answer["both"][0] == [
+        "t1   depth.csv: z (3), 0.1 to 0.7",
+        "t2   ring.csv: r × z (2 × 2), 0 to 0.3",
+    ]
+    assert (
+        "wrong.csv" in answer["wrong"][0] and "line 3: z = 0 stands in line 2 already" in answer["wrong"][0]
+    )
+    assert answer["wrong"][1] == 2
+    assert answer["left"] == ["t1   ring.csv: r × z (2 × 2), 0 to 0.3"]
+    ring = "r;z;value\n0;0;0.1\n0;60;0.1\n20;0;0\n20;60;0.3\n"
+    assert answer["given"] == [[ring], ["t1"]]
+    assert answer["again"] == ["t1   r × z (2 × 2), 0 to 0.3"]
+    assert answer["undone"] is False
+    assert answer["replayed"] == [ring]

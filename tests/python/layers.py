@@ -30,7 +30,8 @@ LIBRARIES = {
 MODEL = {"core", "mixing", "model"}
 PYTHON_LAYERS = {
     "colours": set(),
-    "core": {"_core"},
+    "sampled_table": {"_core"},
+    "core": {"_core", "sampled_table"},
     "io": {"core"},
     "mixing": {"core"},
     "worker": {"core"},
@@ -47,7 +48,18 @@ PYTHON_LAYERS = {
 }
 """Module or folder of freecad/fgmesh/: the others that it may import."""
 
-WITHOUT_FREECAD = {"core", "io", "mixing", "worker", "cli", "__main__", "colours", "pictures", "__init__"}
+WITHOUT_FREECAD = {
+    "core",
+    "sampled_table",
+    "io",
+    "mixing",
+    "worker",
+    "cli",
+    "__main__",
+    "colours",
+    "pictures",
+    "__init__",
+}
 WITH_GUI = {"view", "panels", "commands", "init_gui"}
 FREECAD = {
     "FreeCAD",

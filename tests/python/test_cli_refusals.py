@@ -45,7 +45,7 @@ def refused(fgmesh, tmp_path):
         ("2 x", "", None),
         ("1e999", "", 0),
         ("d1/10", "none is given", 0),
-        ("t1/10", "not available yet", 0),
+        ("t1/10", "value of table 1, but none is given", 0),
         ("d\N{GREEK SMALL LETTER ALPHA}", "", None),
     ],
 )
@@ -125,7 +125,8 @@ def test_shape(refused, shapes, name, status, message):
         (["--anisotropy", "0.5"], "from 1 to 10"),
         (["--reference", "Face7"], "the reference Face7 is lost: the shape ends with Face6"),
         (["--reference", "Top"], "'Top' names no part"),
-        (["--table", "t.csv"], "not available yet"),
+        (["--table", "t.csv"], "table t1 (t.csv): cannot read the file: No such file"),
+        (["--table", "m.json"], "table t1 (m.json): line 1: the columns must be"),
         (["--fraction", "1-x/20"], "the volume fractions sum up to 1.5, more than 1,"),
         (["--fraction", "y/10+w"], "formula 2: unknown name 'w'"),
         (["--stop-after", "never"], "invalid choice"),

@@ -8,7 +8,8 @@ DESCRIPTION = """\
 Turn a CAD solid of a functionally graded material into a tetrahedral mesh that is fine where the material
 changes fast. Lengths are mm. The volume fractions of all constituents but the last, which is the remainder, are
 formulas over x y z r theta d (position, cylinder coordinates and distance from the origin of the material's frame),
-d1 d2 ... s1 s2 ... (distances to references, s with a sign) and named parameters.
+d1 d2 ... s1 s2 ... (distances to references, s with a sign), t1 t2 ... (values of sampled tables) and named
+parameters.
 """
 
 EPILOG = """\
@@ -17,8 +18,13 @@ example:
 
 material file:
   {"fractions": ["exp(-alpha*d)"], "parameters": {"alpha": 0.08}, "origin": [0, 0, 0], "axis": [0, 0, 1]}
-  All but "fractions" may be left out, also "references": ["Face1", "Edge2"]. --param, --origin, --axis and
-  --reference overrule the file.
+  All but "fractions" may be left out, also "references": ["Face1", "Edge2"] and "tables": ["FILE.csv"], seen from
+  the folder of the material file. --param, --origin, --axis, --reference and --table overrule the file.
+
+table:
+  A header line "r,z,value" (one to three of x y z r theta d, then value), then a row for each sample. The rows fill a
+  rectilinear grid, in any order; the value is linear between samples and constant outside. Columns are separated
+  by commas, semicolons or white space.
 
 exit status:
   0 mesh written, every criterion met       3 shape refused or not meshable
@@ -78,7 +84,13 @@ def _add_material(group):
         default=[],
         help="face, edge, vertex or solid of the part; the first is d1 (or s1) in the formula, and so on",
     )
-    add("--table", metavar="FILE", action="append", default=[], help="not available yet")
+    add(
+        "--table",
+        metavar="FILE",
+        action="append",
+        default=[],
+        help="CSV file of a sampled table; the first is t1 in the formula, and so on; see below",
+    )
 
 
 def _add_mesh(group, defaults):

@@ -49,11 +49,8 @@ def _main(argv):
 
 
 def _mesh(parsed):
-    from freecad.fgmesh import core
     from freecad.fgmesh.cli import material_input, outputs, progress, run, summary
 
-    if parsed.table:
-        raise core.InvalidInput("--table is not available yet: leave it out")
     outputs.check(parsed)
     options = _options(parsed)
     display = progress.make_progress(parsed.quiet)

@@ -2,6 +2,7 @@
 """The material that a command line tells: options, a JSON file, or both."""
 import json
 import math
+from pathlib import Path
 
 from freecad.fgmesh import core
 from freecad.fgmesh.cli.arguments import shortened
@@ -9,7 +10,7 @@ from freecad.fgmesh.cli.arguments import shortened
 LARGEST_FILE = 2 * 1024 * 1024
 """Bytes. A formula has at most some thousand characters: a larger file is no material."""
 
-KEYS = ("fractions", "parameters", "origin", "axis", "references")
+KEYS = ("fractions", "parameters", "origin", "axis", "references", "tables")
 
 
 def read_materials(arguments, part):
@@ -31,14 +32,17 @@ def _material(values, part):
     references = core.references(part, names, read=False) if names else []
     origin = values.get("origin", (0.0, 0.0, 0.0))
     try:
-        return core.Material(fractions, values["parameters"], origin, rotation, references)
+        return core.Material(
+            fractions, values["parameters"], origin, rotation, references, tables=values.get("tables", [])
+        )
     except core.FormulaError as error:
         shown, caret = core.caret_excerpt(fractions[error.formula], error.position).split("\n")
         raise core.InvalidInput(f"{error}\n  {shown}\n  {caret}") from error
 
 
 def material_values(arguments):
-    """The plain values of each material: fractions, parameters and, where given, origin, axis and references.
+    """The plain values of each material: fractions, parameters and, where given, origin, axis, references
+    and the paths of tables.
     What options tell holds for all."""
     if arguments.material and arguments.fraction:
         raise core.InvalidInput("--fraction and --material both tell the formula: give one of them")
@@ -61,6 +65,8 @@ def material_values(arguments):
                 values[key] = getattr(arguments, key)
         if arguments.reference:
             values["references"] = arguments.reference
+        if arguments.table:
+            values["tables"] = [Path(name) for name in arguments.table]
     return materials
 
 
@@ -75,10 +81,13 @@ def read_material_file(path):
     try:
         if len(content) > LARGEST_FILE:
             raise ValueError(f"it is larger than {LARGEST_FILE // 1024**2} MB")
-        return _checked(_parsed(content))
+        values = _checked(_parsed(content))
     except (ValueError, RecursionError, OverflowError) as error:
         reason = "it is nested too deeply" if isinstance(error, RecursionError) else error
         raise core.InvalidInput(f"material file {path!r}: {reason}") from None
+    if "tables" in values:
+        values["tables"] = [Path(path).parent / name for name in values["tables"]]
+    return values
 
 
 def _parsed(content):
@@ -111,12 +120,11 @@ def _checked(values):
         "fractions": fractions,
         "parameters": {name: _finite(value, name) for name, value in parameters.items()},
     }
-    if "references" in values:
-        checked["references"] = values["references"]
-        if not isinstance(values["references"], list) or not all(
-            isinstance(name, str) for name in values["references"]
-        ):
-            raise ValueError('"references" must be a list of texts')
+    for key in ("references", "tables"):
+        if key in values:
+            checked[key] = values[key]
+            if not isinstance(values[key], list) or not all(isinstance(name, str) for name in values[key]):
+                raise ValueError(f'"{key}" must be a list of texts')
     for key in ("origin", "axis"):
         if key in values:
             if not isinstance(values[key], list) or len(values[key]) != 3:

@@ -18,6 +18,7 @@ EXAMPLES = (
     Example(TRANSLATE_LATER("FGMesh", "Ball, exponential about its centre (case study I)"), "case_study_1"),
     Example(TRANSLATE_LATER("FGMesh", "Cylinder, power law along its axis (case study II)"), "case_study_2"),
     Example(TRANSLATE_LATER("FGMesh", "Bracket, from one face to another"), "face_to_face"),
+    Example(TRANSLATE_LATER("FGMesh", "Pin, hardened, by a table of measured values"), "hardened_pin"),
     Example(TRANSLATE_LATER("FGMesh", "Pin in a plate, two solids with a material each"), "two_solids"),
 )
 

@@ -42,6 +42,7 @@ def _material(solid):
         "parameters": graded_solid.parameters_of(solid),
         "frame": _numbers(getattr(solid, "FGMFrame", FreeCAD.Placement())),
         "references": references.fingerprint(solid, _shape_hash, _numbers),
+        "tables": [hashlib.sha256(text.encode()).hexdigest() for text in graded_solid.tables_of(solid)],
     }
 
 
@@ -67,6 +68,7 @@ def _changed_material(before, now):
     if not _same(before["frame"], now["frame"]):
         found.append("the material's frame was moved")
     found += _changed_references(before.get("references", []), now["references"])
+    found += _changed_tables(before.get("tables", []), now["tables"])
     return found + _changed_values(before["parameters"], now["parameters"], graded_solid.PARAMETER_PREFIX)
 
 
@@ -90,6 +92,12 @@ def _changed_references(before, now):
         for old, new in zip(before, now)
         if "shape" in old and (old["shape"] != new["shape"] or not _same(old["placement"], new["placement"]))
     ]
+
+
+def _changed_tables(before, now):
+    if len(before) != len(now):
+        return ["the material has other tables"]
+    return [f"the table t{n} was changed" for n, (old, new) in enumerate(zip(before, now), 1) if old != new]
 
 
 def _changed_values(before, now, prefix):

@@ -26,8 +26,8 @@ _PROPERTIES = (
     (
         "FGMFractions",
         "App::PropertyStringList",
-        "Volume fraction of each constituent but the last, as a formula of x y z r theta d (mm, radians) "
-        "and of the parameters FGM_<name>",
+        "Volume fraction of each constituent but the last, as a formula of x y z r theta d (mm, radians), "
+        "of distances d1 s1 ..., of tables t1 ... and of the parameters FGM_<name>",
     ),
     (
         "FGMFrame",
@@ -44,10 +44,15 @@ _PROPERTIES = (
         "App::PropertyStringList",
         "The references as they were given, so that one which is lost can be named",
     ),
+    (
+        "FGMTables",
+        "App::PropertyStringList",
+        "The texts of the sampled tables t1, t2, ...: a header such as 'r, z, value', and a row for each sample",
+    ),
 )
 
 
-def attach_material(solid, fractions, parameters=None, constituents=(), frame=None, references=()):
+def attach_material(solid, fractions, parameters=None, constituents=(), frame=None, references=(), tables=()):
     """Gives `solid` a graded material, in place of the one that it may have.
 
     solid         any document object with a solid shape: Part features, PartDesign bodies, ...
@@ -60,6 +65,8 @@ def attach_material(solid, fractions, parameters=None, constituents=(), frame=No
     references    what d1, d2, ... measure to, in this order: (object, "Face3") for a face, edge, vertex or
                   solid of an object with solids, "Face3" for one of `solid` itself, an object for its only
                   solid; s1, s2, ... are the same distances with a sign, for solids
+    tables        what t1, t2, ... are the values of, in this order: paths of CSV files, their texts, or
+                  core.SampledTable; the solid keeps their texts, and needs the files no more
 
     Raises core.InvalidInput (core.FormulaError for a formula), core.GeometryError for a reference whose
     shape has no valid solid, and leaves the solid as it was. One undo
@@ -71,7 +78,8 @@ def attach_material(solid, fractions, parameters=None, constituents=(), frame=No
     names = [_constituent_name(constituent, solid) for constituent in constituents]
     _check(solid, fractions, frame, names)
     links = links_of(references, solid)
-    _material(fractions, parameters, frame, links, solid)
+    tables = core.table_texts(tables)
+    _material(fractions, parameters, frame, links, tables, solid)
 
     with transaction(solid.Document, "Attach graded material"):
         _add_missing_properties(solid)
@@ -79,6 +87,7 @@ def attach_material(solid, fractions, parameters=None, constituents=(), frame=No
         solid.FGMFractions = fractions
         solid.FGMFrame = frame
         set_links(solid, links)
+        solid.FGMTables = tables
         _set_parameters(solid, parameters)
     return solid
 
@@ -106,6 +115,12 @@ def parameters_of(solid):
     }
 
 
+def tables_of(solid):
+    """The texts of the tables t1, t2, ... of `solid`."""
+    # Always with a line break: nothing in a document, which may come from a stranger, is taken for a path.
+    return [text.rstrip("\n") + "\n" for text in getattr(solid, "FGMTables", [])]
+
+
 def frame_in_document(solid):
     """Placement of the material's frame in the coordinates of `solid.Shape`, which carries the solid's own
     placement but not its containers'."""
@@ -123,13 +138,14 @@ def material_of(solid, placement=None):
     links = stored_links(solid)
     placement = FreeCAD.Placement() if placement is None else placement
     frame = placement.multiply(frame_in_document(solid))
-    return _material(solid.FGMFractions, parameters_of(solid), frame, links, solid, placement)
+    tables = tables_of(solid)
+    return _material(solid.FGMFractions, parameters_of(solid), frame, links, tables, solid, placement)
 
 
-def draft_material(solid, fractions, parameters, frame, links):
+def draft_material(solid, fractions, parameters, frame, links, tables):
     """The core.Material that attach_material() would give `solid`, in the coordinates of `solid.Shape`, for
     looking at it before. Raises core.InvalidInput."""
-    return _material(fractions, parameters, solid.Placement.multiply(frame), links, solid)
+    return _material(fractions, parameters, solid.Placement.multiply(frame), links, tables, solid)
 
 
 def plain_number(value):
@@ -140,11 +156,11 @@ def plain_number(value):
         raise core.InvalidInput(f"a parameter must be a number, not {value!r}") from None
 
 
-def _material(fractions, parameters, frame, links, solid, placement=FreeCAD.Placement()):
+def _material(fractions, parameters, frame, links, tables, solid, placement=FreeCAD.Placement()):
     matrix = frame.Rotation.toMatrix().A
     rotation = [matrix[0:3], matrix[4:7], matrix[8:11]]
     references = unread(links, solid, placement)
-    return core.Material(list(fractions), parameters, tuple(frame.Base), rotation, references)
+    return core.Material(list(fractions), parameters, tuple(frame.Base), rotation, references, tables=tables)
 
 
 def _check(solid, fractions, frame, names):
@@ -185,6 +201,8 @@ def _add_missing_properties(solid):
             solid.removeProperty(name)  # as an earlier version had it
         if name not in solid.PropertiesList:
             solid.addProperty(kind, name, GROUP, tip)
+    # FreeCAD's editor of such lists would make a table of each line.
+    solid.setEditorMode("FGMTables", ["Hidden"])
 
 
 def _set_parameters(solid, parameters):

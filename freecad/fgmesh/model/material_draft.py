@@ -12,6 +12,10 @@ from freecad.fgmesh.model import graded_solid, references
 from freecad.fgmesh.model.macro_text import object_text, placement_text
 
 
+LONGEST_RECORDED = 10_000
+"""Characters of a table that a line of a macro holds itself."""
+
+
 @dataclass
 class MaterialDraft:
     """As the arguments of attach_material(), with parameters as texts: a number, a number with a unit, or an
@@ -22,6 +26,8 @@ class MaterialDraft:
     parameters: dict = field(default_factory=dict)
     frame: FreeCAD.Placement = field(default_factory=FreeCAD.Placement)
     references: list = field(default_factory=list)  # (object, name of a part or "")
+    tables: list = field(default_factory=list)  # texts
+    table_files: dict = field(default_factory=dict, compare=False)  # {text: path that it was read from}
 
     @classmethod
     def of(cls, solid):
@@ -38,6 +44,7 @@ class MaterialDraft:
             {name: driven.get(prefix + name, f"{value:.15g}") for name, value in values},
             FreeCAD.Placement(solid.FGMFrame),
             references.stored_links(solid),
+            graded_solid.tables_of(solid),
         )
 
     def values(self, solid):
@@ -47,7 +54,7 @@ class MaterialDraft:
     def material(self, solid):
         """The core.Material in the coordinates of solid.Shape, its references not read. Raises core.InvalidInput."""
         return graded_solid.draft_material(
-            solid, self.fractions, self.values(solid), self.frame, self.references
+            solid, self.fractions, self.values(solid), self.frame, self.references, self.tables
         )
 
     def script(self, solid):
@@ -65,9 +72,22 @@ class MaterialDraft:
         if self.references:
             pairs = ", ".join(f"({object_text(thing)}, {name!r})" for thing, name in self.references)
             arguments.append(f"references=[{pairs}]")
+        if self.tables:
+            arguments.append(f"tables=[{', '.join(self._table_text(text, solid) for text in self.tables)}]")
         yield f"freecad.fgmesh.attach_material({thing}, {', '.join(arguments)})"
         for name, text in driven.items():
             yield f"{thing}.setExpression({graded_solid.PARAMETER_PREFIX + name!r}, {text!r})"
+
+    def _table_text(self, text, solid):
+        """Python text that gives a table: itself, so that a macro needs no file; but FreeCAD's console would stumble
+        over a long one, which is taken from the solid that has it, or from its file."""
+        kept = graded_solid.tables_of(solid)
+        if len(text) > LONGEST_RECORDED:
+            if text in kept:
+                return f"{object_text(solid)}.FGMTables[{kept.index(text)}]"
+            if text in self.table_files:
+                return repr(self.table_files[text])
+        return repr(text)
 
 
 def parameter_value(solid, name, text):

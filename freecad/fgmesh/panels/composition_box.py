@@ -135,7 +135,8 @@ class CompositionBox(QtGui.QWidget):
         edit.setToolTip(
             translate(
                 "Volume fraction, 0 to 1, over x y z r theta d (mm, radians, in the material's frame), the parameters, "
-                "and d1 d2 ..., the distances to the references; the last constituent is what the others leave"
+                "d1 d2 ..., the distances to the references, and t1 t2 ..., the values of the tables; "
+                "the last constituent is what the others leave"
             )
         )
         edit.textChanged.connect(self.edited)

@@ -16,6 +16,7 @@ from freecad.fgmesh.panels.message_label import MessageLabel
 from freecad.fgmesh.panels.parameter_table import ParameterTable
 from freecad.fgmesh.panels.preview_box import PreviewBox, range_text
 from freecad.fgmesh.panels.reference_list import ReferenceList
+from freecad.fgmesh.panels.table_list import TableList
 from freecad.fgmesh.panels.wide_combo import WideCombo
 from freecad.fgmesh.view import icon
 from freecad.fgmesh.view.recording import recorded
@@ -86,13 +87,22 @@ class MaterialPanel:
         parameters = self.parameters.parameters()
         for name in self._brought - _words(formulas):
             parameters.pop(name, None)
-        return MaterialDraft(names, formulas, parameters, self.frame.frame(), self.references.links())
+        return MaterialDraft(
+            names,
+            formulas,
+            parameters,
+            self.frame.frame(),
+            self.references.entries(),
+            self.tables.entries(),
+            self.tables.files,
+        )
 
     def _show(self, draft):
         self.composition.set_composition(draft.constituents, draft.fractions)
         self.parameters.set_parameters(draft.parameters)
         self.frame.set_frame(draft.frame)
-        self.references.set_links(draft.references)
+        self.references.set_entries(draft.references)
+        self.tables.set_entries(draft.tables)
 
     def _make_widgets(self):
         self.grading = WideCombo("FGMeshGrading")
@@ -109,6 +119,7 @@ class MaterialPanel:
         self.parameters = ParameterTable(self._first)
         self.frame = FrameBox(self._first)
         self.references = ReferenceList()
+        self.tables = TableList()
         self.preview = PreviewBox(self._first)
 
     def _material_box(self):
@@ -127,6 +138,8 @@ class MaterialPanel:
         form.addRow(self.frame)
         form.addRow(QtGui.QLabel(translate("References of d1 d2 ...")))
         form.addRow(self.references)
+        form.addRow(QtGui.QLabel(translate("Tables of t1 t2 ...")))
+        form.addRow(self.tables)
         return box
 
     def _connect(self):
@@ -136,6 +149,8 @@ class MaterialPanel:
         self.frame.edited.connect(self._timer.start)
         self.frame.failed.connect(self.message.complain)
         self.references.edited.connect(self._timer.start)
+        self.tables.edited.connect(self._timer.start)
+        self.tables.failed.connect(self.message.complain)
         self.make_parameter.clicked.connect(self._add_missing_parameter)
         self.composition.renamed.connect(self._constituents_changed)
         self.preview.looked_at.connect(self._tell_range)

@@ -29,21 +29,25 @@ class Meshing:
         self._materials = core.list_of(material)
 
     def request(self, shapes, arrays):
+        tables = []
+        materials = [_plain_material(material, shapes, tables) for material in self._materials]
         return {
             "shape": _place(self._shape, shapes),
-            "materials": [_plain_material(material, shapes) for material in self._materials],
+            "materials": materials,
+            "tables": [_plain_table(table, arrays) for table in tables],
             "options": self._options.as_dict(),
         }
 
     @staticmethod
-    def arguments(asked, shapes):
+    def arguments(asked, shapes, arrays):
         """Shape, materials and options again."""
-        materials = list(_materials(asked["materials"], shapes))
+        tables = [_table(plain, arrays) for plain in asked["tables"]]
+        materials = list(_materials(asked["materials"], shapes, tables))
         return shapes[asked["shape"]], materials, core.MeshingOptions(**asked["options"])
 
     @classmethod
     def answer(cls, asked, shapes, arrays, control):
-        result = core.generate_mesh(*cls.arguments(asked, shapes), control)
+        result = core.generate_mesh(*cls.arguments(asked, shapes, arrays), control)
         return result._result  # what is computed from it need not travel
 
     def result(self, answer):
@@ -57,7 +61,7 @@ class Estimating(Meshing):
 
     @classmethod
     def answer(cls, asked, shapes, arrays, control):
-        return core.estimate(*cls.arguments(asked, shapes), control)
+        return core.estimate(*cls.arguments(asked, shapes, arrays), control)
 
     def result(self, answer):
         return answer
@@ -90,11 +94,11 @@ class Measuring:
 TASKS = {task.__name__: task for task in (Meshing, Estimating, Measuring)}
 
 
-def _place(shape, shapes):
-    """The place of a shape in the list, to which it is added where it is new."""
-    if shape not in shapes:
-        shapes.append(shape)
-    return shapes.index(shape)
+def _place(thing, things):
+    """The place of a shape or a table in the list, to which it is added where it is new."""
+    if thing not in things:
+        things.append(thing)
+    return things.index(thing)
 
 
 def _plain_reference(reference, shapes):
@@ -106,7 +110,18 @@ def _reference(plain, shapes):
     return core.references(shapes[place], [name], read=False)[0]
 
 
-def _plain_material(material, shapes):
+def _plain_table(table, arrays):
+    return [[name, pack(places, arrays)] for name, places in table.places.items()], pack(table.values, arrays)
+
+
+def _table(plain, arrays):
+    places, values = plain
+    return core.SampledTable(
+        {name: unpack(packed, arrays) for name, packed in places}, unpack(values, arrays)
+    )
+
+
+def _plain_material(material, shapes, tables):
     """The arguments of core.Material, as JSON can hold them."""
     return {
         "fractions": material.fractions,
@@ -114,15 +129,17 @@ def _plain_material(material, shapes):
         "origin": list(material.origin),
         "rotation": material.rotation.tolist(),
         "references": [_plain_reference(one, shapes) for one in material.references],
+        "tables": [_place(table, tables) for table in material.tables],
     }
 
 
-def _materials(asked, shapes):
+def _materials(asked, shapes, tables):
     """The materials, whose references the functions of `core` read."""
     made = {}  # the same object for solids with the same material, which is then evaluated once
     for arguments in asked:
         text = json.dumps(arguments)
         if text not in made:
             references = [_reference(one, shapes) for one in arguments.pop("references")]
-            made[text] = core.Material(**arguments, references=references)
+            used = [tables[place] for place in arguments.pop("tables")]
+            made[text] = core.Material(**arguments, references=references, tables=used)
         yield made[text]

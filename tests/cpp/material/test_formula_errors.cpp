@@ -54,7 +54,7 @@ INSTANTIATE_TEST_SUITE_P(
                     BadFormula{"frobnicate(x)", 0, "unknown function 'frobnicate'"},
                     BadFormula{"d1 + 1", 0, "distance to reference 1, but none is given"},
                     BadFormula{"1 + s2", 4, "distance to reference 2, but none is given"},
-                    BadFormula{"t10 + x", 0, "not available yet"},
+                    BadFormula{"t10 + x", 0, "value of table 10, but none is given"},
                     BadFormula{"import os", 0, "unknown name 'import'"},
                     BadFormula{"__import__('os').system('true')", 0, "unknown function '__import__'"},
                     BadFormula{"lambda x: x", 0, "unknown name 'lambda'"},
