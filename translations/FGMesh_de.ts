@@ -32,6 +32,10 @@
       <translation>; nur {} MB Speicher sind frei</translation>
     </message>
     <message>
+      <source>A parameter has no name: write one beside its value {}, or remove it</source>
+      <translation>Ein Parameter hat keinen Namen: Schreiben Sie einen neben seinen Wert {}, oder entfernen Sie ihn</translation>
+    </message>
+    <message>
       <source>A smooth step from 0 to 1 in the middle, over the width</source>
       <translation>Eine glatte Stufe von 0 nach 1 in der Mitte, über die Breite</translation>
     </message>
@@ -78,6 +82,14 @@
     <message>
       <source>Constituent {}</source>
       <translation>Bestandteil {}</translation>
+    </message>
+    <message>
+      <source>Constituent {} has no material: choose one, or clear the others</source>
+      <translation>Bestandteil {} hat kein Material: Wählen Sie eines, oder leeren Sie die anderen</translation>
+    </message>
+    <message>
+      <source>Constituent {}: there is no material card and no material object called {}; choose one</source>
+      <translation>Bestandteil {}: Es gibt weder eine Materialkarte noch ein Materialobjekt namens {}; wählen Sie eines</translation>
     </message>
     <message>
       <source>Cut</source>
@@ -276,6 +288,10 @@
       <translation>Ursprung</translation>
     </message>
     <message>
+      <source>Origin and z axis of the frame take three numbers each, as in 0, 0, 1, and the axis not three zeros</source>
+      <translation>Ursprung und z-Achse des Bezugssystems brauchen je drei Zahlen, etwa 0, 0, 1, und die Achse nicht drei Nullen</translation>
+    </message>
+    <message>
       <source>Origin of the frame in the solid's own coordinates, mm: x, y, z</source>
       <translation>Ursprung des Bezugssystems in den eigenen Koordinaten des Festkörpers, mm: x, y, z</translation>
     </message>
@@ -432,10 +448,6 @@
       <translation>Die Formel ist nirgends im Festkörper definiert</translation>
     </message>
     <message>
-      <source>The frame takes three numbers each, as in 0, 0, 1; it was left as it was</source>
-      <translation>Das Bezugssystem braucht je drei Zahlen wie 0, 0, 1; es blieb, wie es war</translation>
-    </message>
-    <message>
       <source>The last of the three stages to run</source>
       <translation>Die letzte der drei Stufen, die läuft</translation>
     </message>
@@ -450,6 +462,10 @@
     <message>
       <source>Then click on a face, an edge, a vertex, a datum or a coordinate system: the frame stands there, its z axis along the normal or the axis</source>
       <translation>Klicken Sie dann auf eine Fläche, eine Kante, einen Eckpunkt, ein Bezugselement oder ein Koordinatensystem: Dort steht das Bezugssystem, seine z-Achse längs der Normalen oder der Achse</translation>
+    </message>
+    <message>
+      <source>Two parameters are called {}: rename or remove one</source>
+      <translation>Zwei Parameter heißen {}: Benennen Sie einen um, oder entfernen Sie ihn</translation>
     </message>
     <message>
       <source>Value</source>
