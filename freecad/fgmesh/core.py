@@ -9,9 +9,9 @@ All in the caller's process, where a crash of OpenCASCADE or CGAL on a bad shape
     result = core.generate_mesh("part.step", material, core.MeshingOptions(material_threshold=0.1))
     result.points, result.tets, core.report(result)
 
-Lengths are mm, angles degrees, fractions dimensionless in [0, 1]. `read_table` reads what t1 t2 ... of formulas are
-the values of, `table_text` gives one as text, `table_texts` those of a material. `Material`, `MeshingOptions`, `RunControl`
-and the exceptions are those of the C++ side; `help()` of each tells its fields. `versions()` tells what this
+Lengths are mm, angles degrees, fractions dimensionless in [0, 1]. `Material`, `MeshingOptions`, `RunControl`
+and the exceptions are those of the C++ side; `help()` of each tells its fields. `read_table` reads what t1 t2 ... of
+formulas are the values of; `table_text` gives one as text, `table_texts` all of a material. `versions()` tells what this
 was built with.
 
 Errors: every error raised on purpose is an `Error`: `InvalidInput` (an option, a file or a material that has

@@ -137,12 +137,12 @@ def _parsed(content):
     lines = _clean(content).split("\n")
     header = _header_line(lines)
     names, separator = _header(lines[header - 1].strip().lstrip("#"), header)
-    rows, numbers = [], []  # of what is no comment, and of the lines where it stands
-    for number, line in enumerate(lines[header:], header + 1):
-        if line.strip() and not line.lstrip().startswith("#"):
-            rows.append(line.split(separator))
-            numbers.append(number)
-    values = _values(rows, numbers, len(names) + 1)
+    numbers = [
+        number
+        for number, line in enumerate(lines[header:], header + 1)
+        if line.strip() and not line.lstrip().startswith("#")
+    ]
+    values = _values([lines[number - 1] for number in numbers], numbers, separator, len(names) + 1)
     return _gridded(names, values, numbers)
 
 
@@ -183,36 +183,35 @@ def _header(line, number):
     return coordinates, separator
 
 
-def _values(rows, numbers, width):
-    """The numbers of the table, (n, width)."""
+def _values(rows, numbers, separator, width):
+    """The numbers of the table, (n, width), of its rows and the numbers of their lines."""
     if not rows:
         raise InvalidInput("it has no rows below its header; add one for each sample")
     if len(rows) > SampledTable.max_values:
         raise InvalidInput(f"it has more than {SampledTable.max_values} rows; take fewer samples")
-    for row, number in zip(rows, numbers):
-        if len(row) != width:
-            raise InvalidInput(
-                f"line {number} has {len(row)} columns, the header {width}; write a number for each"
-            )
     try:
-        values = np.array(rows, float)
+        values = np.loadtxt(rows, float, comments=None, delimiter=separator, ndmin=2)
+        if values.shape[1] == width and (np.abs(values) <= _LARGEST_NUMBER).all():
+            return values
     except ValueError:
-        values = None
-    if values is None or not (np.abs(values) <= _LARGEST_NUMBER).all():
-        _complain_of_number(rows, numbers)
-    return values
-
-
-def _complain_of_number(rows, numbers):
+        pass
     for row, number in zip(rows, numbers):
-        for cell in row:
-            if not _is_number(cell):
-                hint = "; decimals are written with a point" if "," in cell else ""
-                raise InvalidInput(f"line {number}: {_shortened(cell.strip())} is no number{hint}")
-            if not abs(float(cell)) <= _LARGEST_NUMBER:
-                raise InvalidInput(
-                    f"line {number}: {_shortened(cell.strip())} is no finite number up to {_LARGEST_NUMBER:g}"
-                )
+        _check_row(row.split(separator), number, width)
+    raise InvalidInput("it holds something that is no number")
+
+
+def _check_row(cells, number, width):
+    if len(cells) != width:
+        raise InvalidInput(
+            f"line {number} has {len(cells)} columns, the header {width}; write a number for each"
+        )
+    for cell in cells:
+        shown = _shortened(cell.strip())
+        if not _is_number(cell):
+            hint = "; decimals are written with a point" if "," in cell else ""
+            raise InvalidInput(f"line {number}: {shown} is no number{hint}")
+        if not abs(float(cell)) <= _LARGEST_NUMBER:
+            raise InvalidInput(f"line {number}: {shown} is no finite number up to {_LARGEST_NUMBER:g}")
 
 
 def _gridded(names, values, numbers):
@@ -276,7 +275,7 @@ def _is_number(cell):
         float(cell)
     except ValueError:
         return False
-    return True
+    return cell.isascii() and "_" not in cell  # which Python alone takes for numbers
 
 
 def _shortened(cell):

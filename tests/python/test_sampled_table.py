@@ -102,6 +102,7 @@ def test_a_table_survives_its_text():
         ("x value\n0 1\n\n1 nan\n", "line 4: 'nan' is no finite number"),
         ("x value\n0 1\ninf 1\n", "line 3: 'inf' is no finite number"),
         ("x value\n0 1\n1 1e300\n", "line 3: '1e300' is no finite number"),
+        ("x value\n0 1\n1_0 1\n", "line 3: '1_0' is no number"),
         ("x value\n0 1\n# no\n1 a\n", "line 4: 'a' is no number"),
         ("x;value\n0;1\n1;0,5\n", "line 3: '0,5' is no number; decimals are written with a point"),
         ("x,value\n0,1\n1,\n", "line 3: '' is no number"),
