@@ -158,6 +158,7 @@ class MaterialPanel:
 
     def _constituents_changed(self):
         self.preview.set_constituents(self.composition.names(), self.composition.count())
+        self._timer.start()  # an objection to the former names goes
 
     def _frame(self):
         """That of the material, in the coordinates of the solid's shape; the last good one while it is being typed."""
