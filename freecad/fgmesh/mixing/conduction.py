@@ -9,7 +9,7 @@ def conductivity(law, fractions, parts):
     """That (n,) of the mixture by one of the Laws below; fractions (n, k), parts: those (k,) of the constituents.
 
     The medium around the grains counts twice. It is the worst or best conductor (Hashin and Shtrikman, J. Appl.
-    Phys. 33 (1962) 3125), the matrix (Maxwell, A Treatise on Electricity and Magnetism (1873), article 314, which
+    Phys. 33 (1962) 3125), the matrix (Maxwell, A Treatise on Electricity and Magnetism (1873), which
     is Mori and Tanaka's idea), or the mixture itself (Bruggeman, Ann. Phys. 416 (1935) 636).
     """
 
