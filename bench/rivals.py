@@ -33,11 +33,11 @@ class RivalFailed(RuntimeError):
     """A program ended without the mesh that it was asked for."""
 
 
-def fgmesh(case, shape, threshold, out):
+def fgmesh(anisotropy, case, shape, threshold, out):
     """FGMesh in this process, from the text of the B-Rep to the arrays."""
     text = shape.read_bytes()
     start = time.perf_counter()
-    options = core.MeshingOptions(material_threshold=threshold, stop_after="material")
+    options = core.MeshingOptions(material_threshold=threshold, anisotropy=anisotropy, stop_after="material")
     result = core.generate_mesh(text, core.Material([case.formula]), options)
     seconds = time.perf_counter() - start
     write_mesh(result, out)
@@ -109,7 +109,9 @@ def _run(command):
 
 
 RIVALS = {
-    "FGMesh": (fgmesh, ".vtu"),
+    "FGMesh": (partial(fgmesh, 1.0), ".vtu"),
+    "FGMesh, anisotropy 2": (partial(fgmesh, 2.0), ".vtu"),
+    "FGMesh, anisotropy 3": (partial(fgmesh, 3.0), ".vtu"),
     "local, longest edge": (partial(local_strategy, "longest"), ".mesh"),
     "local, steepest edge": (partial(local_strategy, "steepest"), ".mesh"),
     "gmsh": (gmsh_search, ".msh"),

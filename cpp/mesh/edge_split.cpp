@@ -56,7 +56,7 @@ bool insert_beside_edge(MeshState& state, int a, int b, const Vec3& place, const
   placed.position = place;
   placed.carrier = {3, complex.tet(t).solid};
   placed.size = 0.5 * (state.vertices[a].size + state.vertices[b].size);
-  placed.pull = 0.5 * (state.vertices[a].pull + state.vertices[b].pull);
+  placed.stretch = 0.5 * (state.vertices[a].stretch + state.vertices[b].stretch);
   if (!state.evaluate(placed)) return false;
   Cavity cavity(state, a, b, ring.tet);
   if (!cavity.open(placed)) return false;

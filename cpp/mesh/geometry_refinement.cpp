@@ -150,6 +150,9 @@ double facet_deviation(const MeshState& state, int t, int face) {
 void refine_geometry(MeshState& state, const GeometryRefinementOptions& options, RunControl& control) {
   state.chord_limit =
       0.7 * options.deviation;  // the centre of a facet is farther off than the middles of its edges
+  // What comes new is as small as the deviation wants it in all directions; stretched swaps there would only
+  // make more splits necessary. The material's stretched elements stay by their frozen vertices.
+  for (Vertex& vertex : state.vertices) vertex.stretch = Vec3::Zero();
   set_frozen(state, true);
   approach_boundary(state, options, control);
   set_frozen(state, false);

@@ -141,7 +141,7 @@ std::optional<Vertex> MeshState::moved(const Vertex& vertex, const Vec3& target)
 std::optional<Vertex> MeshState::on_edge(int a, int b, int label, double s) const {
   Vertex result;
   result.size = vertices[a].size + s * (vertices[b].size - vertices[a].size);
-  result.pull = vertices[a].pull + s * (vertices[b].pull - vertices[a].pull);
+  result.stretch = vertices[a].stretch + s * (vertices[b].stretch - vertices[a].stretch);
   if (const int edge = complex.crease(a, b)) {
     result.carrier = {1, edge};
   } else if (label) {

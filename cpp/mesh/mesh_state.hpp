@@ -32,7 +32,7 @@ struct Vertex {
   MaterialValue own;                  ///< on an interface that in the lowest solid
   std::vector<MaterialValue> others;  ///< on an interface: those in the other materials that meet there
   double size = 0.0;                  ///< mu, mm: see SizingField
-  Vec3 pull = Vec3::Zero();           ///< along the gradient, as long as the anisotropy there is above 1
+  Vec3 stretch = Vec3::Zero();        ///< along the gradient, as long as the anisotropy there is above 1
   bool frozen = false;                ///< M-vertex: the geometry-oriented refinement leaves it in place
 
   bool junction =

@@ -17,28 +17,28 @@ Vec3 weighted_circumcentre(const Vec3& ab, const Vec3& ac, const Vec3& ad) {
 Vec3 target_in_solid(const MeshState& state, int v, const std::vector<int>& star) {
   Vec3 sum = Vec3::Zero();
   double weights = 0.0;
-  const Vec3& p = state.position(v);
+  const Vertex& own = state.vertices[v];
+  const Stretch stretch{&own};
   for (int t : star) {
     const std::array<int, 4>& index = state.complex.tet(t).vertex;
     const int* others = kFaceVertices[state.complex.tet(t).index_of(v)];
     const Vertex &b = state.vertices[index[others[0]]], &c = state.vertices[index[others[1]]],
                  &d = state.vertices[index[others[2]]];
-    const Stretch stretch{&state.vertices[v]};
-    const Vec3 ab = way_in_layers(state.vertices[v], b), ac = way_in_layers(state.vertices[v], c),
-               ad = way_in_layers(state.vertices[v], d);
-    const double size = 0.25 * (state.vertices[v].size + b.size + c.size + d.size);
-    const double longer = Stretch{&state.vertices[v], &b, &c, &d}.factor();
+    const Vec3 ab = way_in_layers(own, b), ac = way_in_layers(own, c), ad = way_in_layers(own, d);
+    const double size = 0.25 * (own.size + b.size + c.size + d.size);
+    const double longer = Stretch{&own, &b, &c, &d}.factor();
     const double density = 1.0 / (size * size * size * longer * longer);
     weights += density * ab.cross(ac).dot(ad) / 6.0;
     sum += density * stretch.back(weighted_circumcentre(ab, ac, ad));
   }
-  return weights > 0.0 ? Vec3(p + sum / weights) : p;
+  return weights > 0.0 ? Vec3(own.position + sum / weights) : own.position;
 }
 
 Vec3 target_on_face(const MeshState& state, int v, const std::vector<int>& star) {
   Vec3 sum = Vec3::Zero();
   double weights = 0.0;
-  const Vec3& p = state.position(v);
+  const Vertex& moving = state.vertices[v];
+  const Stretch stretch{&moving};
   for (int t : star) {
     const Tet& tet = state.complex.tet(t);
     const int own = tet.index_of(v);
@@ -48,12 +48,10 @@ Vec3 target_on_face(const MeshState& state, int v, const std::vector<int>& star)
       for (int j = 0, k = 0; j < 4; ++j)
         if (j != i && j != own) other[k++] = tet.vertex[j];
       const Vertex &b = state.vertices[other[0]], &c = state.vertices[other[1]];
-      const Stretch stretch{&state.vertices[v]};
-      const Vec3 ab = way_in_layers(state.vertices[v], b), ac = way_in_layers(state.vertices[v], c),
-                 normal = ab.cross(ac);
+      const Vec3 ab = way_in_layers(moving, b), ac = way_in_layers(moving, c), normal = ab.cross(ac);
       const double twice_area = normal.norm();
       if (!(twice_area > 0.0)) continue;
-      const double size = stretch.factor() * (state.vertices[v].size + b.size + c.size) / 3.0;
+      const double size = (moving.size + b.size + c.size) / 3.0;
       const double weight = twice_area / (size * size);
       const Vec3 centre = (ab.squaredNorm() * ac.cross(normal) + ac.squaredNorm() * normal.cross(ab)) /
                           (2.0 * twice_area * twice_area);
@@ -61,7 +59,7 @@ Vec3 target_on_face(const MeshState& state, int v, const std::vector<int>& star)
       sum += weight * stretch.back(centre);
     }
   }
-  return weights > 0.0 ? Vec3(p + sum / weights) : p;
+  return weights > 0.0 ? Vec3(moving.position + sum / weights) : moving.position;
 }
 
 Vec3 target_on_edge(const MeshState& state, int v, const std::vector<int>& star) {

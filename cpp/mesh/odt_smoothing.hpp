@@ -7,7 +7,7 @@
 
 namespace fgmesh {
 
-/// Fills Vertex::size with the sizing field, its growth limited along the mesh's edges, and Vertex::pull.
+/// Fills Vertex::size with the sizing field, its growth limited along the mesh's edges, and Vertex::stretch.
 void update_sizes(MeshState& state, const SizingField& sizing);
 
 /// Where optimal Delaunay triangulation wants vertex `v`: the mean of the circumcentres around it, weighted

@@ -52,8 +52,8 @@ StretchedTet::StretchedTet(const Vertex& a, const Vertex& b, const Vertex& c, co
     squared_edges += Stretch{p, q}.squared_length(q->position - p->position);
 }
 
-Vec3 pull_at(const CompositionField& field, const Vec3& place, const Vec3& gradient, double size,
-             const SizingField& sizing) {
+Vec3 stretch_at(const CompositionField& field, const Vec3& place, const Vec3& gradient, double size,
+                const SizingField& sizing) {
   // An element may bulge over its level set by this part of its size along the gradient.
   constexpr double kBulge = 0.1;
   const Vec3 normal = unit(gradient);
@@ -67,8 +67,8 @@ Vec3 pull_at(const CompositionField& field, const Vec3& place, const Vec3& gradi
 void update_stretches(MeshState& state, const SizingField& sizing) {
   if (sizing.anisotropy == 1.0) return;
   for (Vertex& vertex : state.vertices)
-    vertex.pull = pull_at(state.materials().field(vertex.own.material), vertex.position,
-                          steepest(vertex.own.gradient), vertex.size, sizing);
+    vertex.stretch = stretch_at(state.materials().field(vertex.own.material), vertex.position,
+                                steepest(vertex.own.gradient), vertex.size, sizing);
 }
 
 }  // namespace fgmesh

@@ -15,11 +15,11 @@ class Stretch {
  public:
   /// The mean of the vertices' own. Where their axes disagree, as at an extremum of f, little is left of it.
   Stretch(std::initializer_list<const Vertex*> vertices) {
-    Vec3 pull = Vec3::Zero();
-    for (const Vertex* vertex : vertices) pull += vertex->pull;
-    const double length = pull.norm();
+    Vec3 sum = Vec3::Zero();
+    for (const Vertex* vertex : vertices) sum += vertex->stretch;
+    const double length = sum.norm();
     if (length == 0.0) return;
-    axis_ = pull / length;
+    axis_ = sum / length;
     factor_ = 1.0 + length / static_cast<double>(vertices.size());
   }
 
@@ -41,24 +41,25 @@ class Stretch {
 /// bent than their distances are, and smoothing would drive vertices inwards.
 Vec3 way_in_layers(const Vertex& from, const Vertex& to);
 
-/// A tetrahedron as it is in the stretched space. Each edge is as long as its two ends make it, so that
-/// tetrahedra that share it agree.
+/// A tetrahedron in the stretched space. Each edge is as long as its two ends make it, so that tetrahedra
+/// that share it agree.
 struct StretchedTet {
-  double volume = 0.0;         ///< six times that of the tetrahedron as it is, mm^3
-  double factor = 1.0;         ///< by which it is larger in the stretched space
-  double squared_edges = 0.0;  ///< sum, mm^2
+  /// Six times the volume before it is stretched, mm^3: those of all fillings of one hole have the same sum.
+  double volume = 0.0;
+  double factor = 1.0;         ///< by which the volume grows
+  double squared_edges = 0.0;  ///< sum, stretched, mm^2
 
   StretchedTet(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& d);
   /// 0.048 of a regular one, below zero where it is turned over.
   double flatness() const { return factor * volume / (squared_edges * std::sqrt(squared_edges)); }
 };
 
-/// Vertex::pull where elements are to have `size` along the gradient: they may be `sizing.anisotropy` times
-/// longer across it, less where level sets of f are bent or the largest size is in the way.
-Vec3 pull_at(const CompositionField& field, const Vec3& place, const Vec3& gradient, double size,
-             const SizingField& sizing);
+/// Vertex::stretch where elements are to have `size` along the gradient: they may be `sizing.anisotropy`
+/// times longer across it, less where level sets of f are bent or the largest size is in the way.
+Vec3 stretch_at(const CompositionField& field, const Vec3& place, const Vec3& gradient, double size,
+                const SizingField& sizing);
 
-/// Fills Vertex::pull, by Vertex::size.
+/// Fills Vertex::stretch, by Vertex::size.
 void update_stretches(MeshState& state, const SizingField& sizing);
 
 }  // namespace fgmesh

@@ -5,7 +5,7 @@ namespace fgmesh {
 
 QualityGoal quality_goal(double anisotropy) {
   QualityGoal goal;
-  const double less = std::pow(anisotropy, -0.3);
+  const double less = std::pow(anisotropy, -0.3);  // as far as five test solids let both criteria be met
   goal.smallest_angle *= less;
   goal.largest_angle = 180.0 - less * (180.0 - goal.largest_angle);
   return goal;

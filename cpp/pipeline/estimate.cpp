@@ -47,7 +47,6 @@ MeshEstimate estimate_mesh(const std::string& shape, const std::vector<const Com
   wanted.material = options.stop_after != "initial";
   wanted.threshold = options.material_threshold;
   wanted.sizing = material_sizing(options);
-  wanted.min_size = options.min_size;
   if (size > options.max_size) {
     wanted.max_size = options.max_size;
     wanted.initial = boundary.initial_sizes(options.max_size, options.min_size);

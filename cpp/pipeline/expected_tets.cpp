@@ -105,8 +105,8 @@ class Division {
     corner.composition = found.composition;
     const Vec3 gradient = steepest(found.gradient);
     corner.slope = gradient.norm();
-    corner.stretch = 1.0 + pull_at(state_.materials().field(found.material), corner.place, gradient,
-                                   wanted_.sizing.at(gradient), wanted_.sizing)
+    corner.stretch = 1.0 + stretch_at(state_.materials().field(found.material), corner.place, gradient,
+                                      wanted_.sizing.at(gradient), wanted_.sizing)
                                .norm();
   }
 
@@ -180,7 +180,7 @@ class Division {
       double density = std::max(piece.own, density_of(corner.initial, kInitialTets, piece));
       if (wanted_.material) {
         const double steep = std::max(hidden, corner.slope) / wanted_.threshold;
-        const double finest = kFinestTets / cube(wanted_.min_size);
+        const double finest = kFinestTets / cube(wanted_.sizing.min_size);
         density = std::hypot(
             density, std::min(finest, kMaterialTets * cube(steep) / std::pow(corner.stretch, kStretch)));
       }

@@ -17,7 +17,6 @@ struct WantedMesh {
   bool material = true;  ///< whether the threshold counts
   double threshold = 0.1;
   SizingField sizing;              ///< of the material-oriented refinement
-  double min_size = 0.0;           ///< no refinement makes edges shorter, mm
   double max_size = 0.0;           ///< of the initial mesh, mm; not looked at where the one at hand is that
   GradedSizes initial{{}, 1.0};    ///< of the initial mesh at the boundary, likewise
   GradedSizes deviation{{}, 1.0};  ///< of the geometry-oriented refinement

@@ -4,10 +4,13 @@ import itertools
 import re
 import subprocess
 import sys
+from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
+
+sys.path.insert(0, str(Path(__file__).parent))  # what tests share beside fixtures
 
 SIDE = 10.0
 """Of the box that most tests mesh, mm."""

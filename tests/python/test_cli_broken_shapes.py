@@ -1,14 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Broken shapes: each is refused with its exit status, the name of the part that is wrong and a cure."""
 import math
-import sys
-from pathlib import Path
 
 import pytest
 
-sys.path.insert(0, str(Path(__file__).parent))
-import broken_shapes as broken  # noqa: E402
-from broken_shapes import SIDE, at, box, brep, part, step, with_cavity  # noqa: E402
+import broken_shapes as broken
+from broken_shapes import SIDE, at, box, brep, part, step, with_cavity
 
 CASES = {
     "open shell": (broken.open_shell, 3, "is open: Edge", "bounds only Face", "add the missing face"),

@@ -1,13 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Includes and imports point down, and the check notices one that does not."""
 import shutil
-import sys
-from pathlib import Path
 
 import pytest
 
-sys.path.insert(0, str(Path(__file__).parent))
-from layers import cpp_violations, python_violations  # noqa: E402
+from layers import cpp_violations, python_violations
 
 
 def test_cpp_includes_point_down(source_dir):

@@ -1,16 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What holds for every mixing law, and the means, against closed forms."""
 import itertools
-import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 from freecad.fgmesh import mixing
 
-sys.path.insert(0, str(Path(__file__).parent))
-from mixtures import (  # noqa: E402
+from mixtures import (
     CARDS,
     ELASTIC,
     LAW_OF_EACH,

@@ -1,13 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Mixing laws of thermal conductivity and expansion against closed forms and exact relations."""
 import itertools
-import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
 
-sys.path.insert(0, str(Path(__file__).parent))
 from mixtures import (
     SPHERES,
     TWO,
@@ -16,7 +13,7 @@ from mixtures import (
     mixed,
     mixed_moduli,
     random_fractions,
-)  # noqa: E402
+)
 
 
 def test_maxwell():

@@ -1,16 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Elastic mixing laws against closed forms, exact relations and bounds."""
 import itertools
-import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 from freecad.fgmesh import mixing
 
-sys.path.insert(0, str(Path(__file__).parent))
-from mixtures import (  # noqa: E402
+from mixtures import (
     ELASTIC,
     SPHERES,
     TWO,

@@ -1,16 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Mixing laws that are formulas of the user's."""
 import math
-import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 from freecad.fgmesh import core, mixing
 
-sys.path.insert(0, str(Path(__file__).parent))
-from mixtures import CARDS, TWO, cards_of, mixed, random_fractions  # noqa: E402
+from mixtures import CARDS, TWO, cards_of, mixed, random_fractions
 
 
 @pytest.mark.parametrize("count", [2, 3, 4, 12])

@@ -1,16 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Texts that become mixing laws, and the cards and fractions that they work on: what is taken, what is refused."""
 import math
-import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 from freecad.fgmesh import core, mixing
 
-sys.path.insert(0, str(Path(__file__).parent))
-from mixtures import SPHERES, TWO, cards_of, mixed, random_fractions  # noqa: E402
+from mixtures import SPHERES, TWO, cards_of, mixed, random_fractions
 
 
 def test_defaults():

@@ -2,6 +2,7 @@
 """What a solid is made of: constituents, and a formula for the volume fraction of each but the last."""
 from PySide import QtCore, QtGui
 
+from freecad.fgmesh.panels.add_remove_row import AddRemoveRow
 from freecad.fgmesh.panels.formula_edit import FormulaEdit
 from freecad.fgmesh.panels.wide_combo import WideCombo
 from freecad.fgmesh.view.texts import translate
@@ -22,13 +23,11 @@ class CompositionBox(QtGui.QWidget):
         self._combos, self._edits, self._labels = [], [], []
         self.current = 0  # index of the formula that was worked on last
         self._rows, self._formulas = QtGui.QFormLayout(), QtGui.QVBoxLayout()
-        self._remove = self._button("FGMeshRemoveConstituent", translate("Remove"), self._take_away)
-        add = self._button("FGMeshAddConstituent", translate("Add"), self._add_by_hand)
-        add.setToolTip(translate("One constituent more, and a formula for the one that was the last"))
-        buttons = QtGui.QHBoxLayout()
-        buttons.addWidget(add)
-        buttons.addWidget(self._remove)
-        buttons.addStretch()
+        buttons = AddRemoveRow("Constituent")
+        buttons.add.setToolTip(translate("One constituent more, and a formula for the one that was the last"))
+        buttons.add.clicked.connect(self._add_by_hand)
+        self._remove = buttons.remove
+        self._remove.clicked.connect(self._take_away)
         layout = QtGui.QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         for part in (self._rows, buttons):
@@ -82,12 +81,6 @@ class CompositionBox(QtGui.QWidget):
         """Underlines the place of an error in the formula with this index, and nothing else; None: nothing."""
         for index, edit in enumerate(self._edits):
             edit.mark(position if index == formula else None)
-
-    def _button(self, name, text, clicked):
-        button = QtGui.QPushButton(text)
-        button.setObjectName(name)
-        button.clicked.connect(clicked)
-        return button
 
     def _add_by_hand(self):
         self._set_count(self.count() + 1)

@@ -2,7 +2,7 @@
 """What a formula numbers, as a list with buttons: d1, d2, ... or t1, t2, ..."""
 from PySide import QtCore, QtGui
 
-from freecad.fgmesh.view.texts import translate
+from freecad.fgmesh.panels.add_remove_row import AddRemoveRow
 
 
 class NumberedList(QtGui.QWidget):
@@ -19,15 +19,9 @@ class NumberedList(QtGui.QWidget):
         self._letter, self._entries = letter, []
         self.list = QtGui.QListWidget()
         self.list.setObjectName(f"FGMesh{name}s")
-        self.add = QtGui.QPushButton(translate("Add"))
-        self.add.setObjectName(f"FGMeshAdd{name}")
-        remove = QtGui.QPushButton(translate("Remove"))
-        remove.setObjectName(f"FGMeshRemove{name}")
-        remove.clicked.connect(self._remove_selected)
-        buttons = QtGui.QHBoxLayout()
-        buttons.addWidget(self.add)
-        buttons.addWidget(remove)
-        buttons.addStretch()
+        buttons = AddRemoveRow(name)
+        self.add = buttons.add
+        buttons.remove.clicked.connect(self._remove_selected)
         layout = QtGui.QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self.list)

@@ -4,6 +4,7 @@ from PySide import QtCore, QtGui
 
 from freecad.fgmesh import core
 from freecad.fgmesh.model.material_draft import parameter_value
+from freecad.fgmesh.panels.add_remove_row import AddRemoveRow
 from freecad.fgmesh.panels.quiet import quiet
 from freecad.fgmesh.view.texts import translate
 
@@ -35,16 +36,9 @@ class ParameterTable(QtGui.QWidget):
             )
         )
         self.table.itemChanged.connect(self._item_changed)
-        add = QtGui.QPushButton(translate("Add"))
-        add.setObjectName("FGMeshAddParameter")
-        add.clicked.connect(lambda: self.add(self._free_name()))
-        remove = QtGui.QPushButton(translate("Remove"))
-        remove.setObjectName("FGMeshRemoveParameter")
-        remove.clicked.connect(self._remove_selected)
-        buttons = QtGui.QHBoxLayout()
-        buttons.addWidget(add)
-        buttons.addWidget(remove)
-        buttons.addStretch()
+        buttons = AddRemoveRow("Parameter")
+        buttons.add.clicked.connect(lambda: self.add(self._free_name()))
+        buttons.remove.clicked.connect(self._remove_selected)
         layout = QtGui.QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self.table)

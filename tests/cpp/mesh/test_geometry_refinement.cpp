@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -79,6 +80,27 @@ TEST(GeometryRefinementOfABox, AddsNothingToFlatFaces) {
   refine(part, 0.01);
   EXPECT_EQ(test::vertex_count(part.state), before);
   EXPECT_EQ(test::find_fault(part.state, box), "");
+}
+
+TEST(GeometryRefinementOfStretchedElements, NeedsNoMoreThanThatOfIsotropicOnes) {
+  const test::CylinderSolid cylinder(10.0, 20.0);
+  const test::FunctionField along = test::linear(Vec3(0.0, 0.0, 0.05));
+  std::array<int, 2> tets{};
+  for (int stretched : {0, 1}) {
+    test::RefinedPart part(cylinder, along, kThreshold);
+    const double anisotropy = stretched ? 3.0 : 1.0;
+    part.refine(anisotropy);
+    GeometryRefinementOptions options;
+    options.deviation = 0.03;
+    options.min_size = part.min_size();
+    options.goal = quality_goal(anisotropy);
+    refine_geometry(part.state, options, part.control);
+    EXPECT_EQ(test::find_fault(part.state, cylinder, 0.026), "");
+    EXPECT_LE(test::largest_variation(part.state), kThreshold);
+    EXPECT_GE(test::angle_range(part.state).smallest, 8.0);
+    tets[stretched] = part.state.complex.tet_count();
+  }
+  EXPECT_LT(tets[1], tets[0]);
 }
 
 TEST(FacetDeviation, IsTheDistanceOfTheCentreToTheTrueFace) {

@@ -10,10 +10,10 @@
 namespace fgmesh {
 namespace {
 
-Vertex vertex(const Vec3& position, const Vec3& pull = Vec3::Zero()) {
+Vertex vertex(const Vec3& position, const Vec3& stretch = Vec3::Zero()) {
   Vertex result;
   result.position = position;
-  result.pull = pull;
+  result.stretch = stretch;
   return result;
 }
 
@@ -37,8 +37,8 @@ TEST(Stretch, IsNoneWhereNoVertexAsksForItOrTheyAskForOppositeWays) {
 }
 
 TEST(StretchedTet, IsRegularWhereTheTetrahedronIsThatCompressed) {
-  const Vec3 pull(0, 0, 2);
-  const auto place = [&](double x, double y, double z) { return vertex(Vec3(x, y, z / 3.0), pull); };
+  const Vec3 stretch(0, 0, 2);
+  const auto place = [&](double x, double y, double z) { return vertex(Vec3(x, y, z / 3.0), stretch); };
   const StretchedTet tet(place(1, 1, 1), place(1, -1, -1), place(-1, 1, -1), place(-1, -1, 1));
   EXPECT_NEAR(std::abs(tet.flatness()), 16.0 / std::pow(48.0, 1.5), 1e-12);
   EXPECT_NEAR(std::abs(tet.volume), 16.0 / 3.0, 1e-12);
@@ -58,7 +58,7 @@ TEST(WayInLayers, TakesASphereToOneOfARadiusAsMuchLarger) {
     EXPECT_NEAR(radius, kFactor * kRadius, std::pow(angle, 4) * kRadius);
   }
   // A layer farther out is as much farther as the factor says.
-  const Vertex above = vertex(Vec3(0, 0, kRadius + 1.0), from.pull);
+  const Vertex above = vertex(Vec3(0, 0, kRadius + 1.0), from.stretch);
   EXPECT_TRUE(way_in_layers(from, above).isApprox(Vec3(0, 0, kFactor)));
 }
 
@@ -71,14 +71,14 @@ SizingField sizing(double anisotropy, double max_size = 1000.0) {
 
 TEST(Pull, IsAsLargeAsAllowedAlongTheGradientOfALinearField) {
   const Vec3 slope(0.03, 0, 0.04);
-  const Vec3 pull = pull_at(test::linear(slope), Vec3(1, 2, 3), slope, 2.0, sizing(4.0));
-  EXPECT_TRUE(pull.isApprox(3.0 * slope.normalized()));
+  const Vec3 stretch = stretch_at(test::linear(slope), Vec3(1, 2, 3), slope, 2.0, sizing(4.0));
+  EXPECT_TRUE(stretch.isApprox(3.0 * slope.normalized()));
 }
 
 TEST(Pull, LeavesElementsBelowTheLargestSize) {
   const Vec3 slope(0.05, 0, 0);
   const auto at_most = [&](double size, double most) {
-    return pull_at(test::linear(slope), Vec3::Zero(), slope, size, sizing(4.0, most)).norm();
+    return stretch_at(test::linear(slope), Vec3::Zero(), slope, size, sizing(4.0, most)).norm();
   };
   EXPECT_NEAR(at_most(2.0, 5.0), 1.5, 1e-12);
   EXPECT_EQ(at_most(2.0, 2.0), 0.0);
@@ -90,20 +90,20 @@ TEST(Pull, IsLessTheMoreLevelSetsAreBent) {
   double before = -1.0;
   for (const double d : {1.0, 4.0, 10.0, 30.0, 200.0}) {
     const Vec3 gradient(-1.0, 0, 0);  // of any length: its way alone counts
-    const double pull = pull_at(field, Vec3(d, 0, 0), gradient, 1.0, sizing(3.0)).norm();
-    EXPECT_GE(pull, before);
+    const double stretch = stretch_at(field, Vec3(d, 0, 0), gradient, 1.0, sizing(3.0)).norm();
+    EXPECT_GE(stretch, before);
     // An element of size 1 along the gradient and as long across bulges by length^2 / 8 d.
-    EXPECT_LT(std::pow(1.0 + pull, 2) / (8.0 * d), d > 1.0 ? 0.12 : 0.2);
-    before = pull;
+    EXPECT_LT(std::pow(1.0 + stretch, 2) / (8.0 * d), d > 1.0 ? 0.12 : 0.2);
+    before = stretch;
   }
   EXPECT_NEAR(before, 2.0, 1e-12);
 }
 
 TEST(Pull, IsNoneWithoutGradientOrAnisotropy) {
   const test::FunctionField field = test::linear(Vec3(1, 0, 0));
-  EXPECT_TRUE(pull_at(field, Vec3::Zero(), Vec3::Zero(), 1.0, sizing(3.0)).isZero());
-  EXPECT_TRUE(pull_at(field, Vec3::Zero(), Vec3(1, 0, 0), 1.0, sizing(1.0)).isZero());
-  EXPECT_TRUE(pull_at(field, Vec3::Zero(), Vec3(NAN, 0, 0), 1.0, sizing(3.0)).isZero());
+  EXPECT_TRUE(stretch_at(field, Vec3::Zero(), Vec3::Zero(), 1.0, sizing(3.0)).isZero());
+  EXPECT_TRUE(stretch_at(field, Vec3::Zero(), Vec3(1, 0, 0), 1.0, sizing(1.0)).isZero());
+  EXPECT_TRUE(stretch_at(field, Vec3::Zero(), Vec3(NAN, 0, 0), 1.0, sizing(3.0)).isZero());
 }
 
 }  // namespace
