@@ -6,6 +6,8 @@ The functions of this package work on FreeCAD documents, with or without a GUI:
     attach_material   gives a solid its material, as properties
     make_mesh         adds a mesh object that follows a solid
     generate          fills a mesh object
+    make_analysis     makes or completes a FEM analysis of a mesh
+    solve             has CalculiX solve such an analysis
 
 `freecad.fgmesh.core` meshes without FreeCAD; so nothing that needs it is imported before it is asked for.
 """
@@ -15,6 +17,8 @@ _HOMES = {
     "attach_material": "freecad.fgmesh.model.graded_solid",
     "make_mesh": "freecad.fgmesh.model.mesh_object",
     "generate": "freecad.fgmesh.fem.generate",
+    "make_analysis": "freecad.fgmesh.fem.analysis",
+    "solve": "freecad.fgmesh.fem.solving",
 }
 
 __all__ = sorted(_HOMES)

@@ -2,6 +2,7 @@
 """Meshing from a document and back into it."""
 from freecad.fgmesh import core
 from freecad.fgmesh.fem import background
+from freecad.fgmesh.fem.graded_material import refill
 from freecad.fgmesh.model import mesh_object, presentation
 from freecad.fgmesh.model.options import option_values
 from freecad.fgmesh.model.transaction import transaction
@@ -10,7 +11,8 @@ POLL_SECONDS = 0.1
 
 
 def generate(mesh, control=None, in_process=False):
-    """Meshes the solid of `mesh`, an object that make_mesh() made, and stores mesh and figures in it.
+    """Meshes the solid of `mesh`, an object that make_mesh() made, and stores mesh and figures in it. The graded
+    materials of its analyses are made anew.
 
     Blocks until the mesh is there; `control`, a core.RunControl, lets another thread watch and cancel, and
     sets limits. What the document says counts: expressions that wait for a recompute are computed first. One
@@ -30,6 +32,7 @@ def generate(mesh, control=None, in_process=False):
     request, result = background.adopted(mesh) or _made(mesh, control or core.RunControl(), in_process)
     with transaction(mesh.Document, "Generate graded mesh"):
         request.store(mesh, result)
+        refill(mesh)
     return result
 
 

@@ -5,6 +5,8 @@ from pathlib import Path
 
 import FreeCAD
 
+from freecad.fgmesh import core
+
 _FOLDERS = ("Mod/Material/StandardMaterial", "Mod/Material/Resources/Materials")  # FreeCAD 0.20, 1.x
 _USER_FOLDER = "Material"
 
@@ -40,6 +42,56 @@ def properties(name, document):
             return dict(thing.Material)
     path = card_paths().get(name)
     return _card(path) if path else {}
+
+
+UNITS = {
+    "YoungsModulus": "MPa",
+    "PoissonRatio": "",
+    "Density": "t/mm^3",
+    "ThermalConductivity": "W/m/K",
+    "ThermalExpansionCoefficient": "1/K",
+    "SpecificHeat": "mm^2/s^2/K",
+    "YieldStrength": "MPa",
+}
+"""{property of material cards: unit}, which fit together: mm, t, s, K."""
+
+
+def values(names, document):
+    """{property of UNITS: [number in its unit for each constituent, None where its card is silent]}. Raises
+    core.InvalidInput where there is no material of a name, or where its text is no such quantity."""
+    cards = []
+    for name in names:
+        card = properties(name, document)
+        if not card:
+            raise core.InvalidInput(
+                f"there is no material card and no material object called {name!r}: choose another constituent, "
+                "or put the card where FreeCAD looks for them"
+            )
+        cards.append((name, card))
+    return {
+        key: [_required_number(name, key, card.get(key), unit) for name, card in cards]
+        for key, unit in UNITS.items()
+    }
+
+
+def number_in(text, unit):
+    """The number in `unit` that a card's text stands for; None where it is none."""
+    if not text:
+        return None
+    try:
+        quantity = FreeCAD.Units.Quantity(text)
+        return float(quantity.getValueAs(unit)) if unit else float(quantity)
+    except Exception:  # FreeCAD's parser of quantities knows many
+        return None
+
+
+def _required_number(name, key, text, unit):
+    number = number_in(text, unit)
+    if number is None and text and str(text).strip():
+        raise core.InvalidInput(
+            f"{name}: its {key} is {text!r}, which is no quantity in {unit or 'plain numbers'}: correct the card"
+        )
+    return number
 
 
 def _reader_of_cards():

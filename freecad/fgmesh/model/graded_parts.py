@@ -30,17 +30,26 @@ def _graded_parts(thing, placement):
             yield from _graded_parts(part, placement.multiply(thing.Placement))
 
 
-def materials_of(thing):
-    """What `core.generate_mesh` takes as material for thing.Shape: a core.Material, or a list with that of each
-    solid. Raises core.InvalidInput where a solid has none."""
+def owners_of(thing):
+    """[(object, placement)] for each solid of thing.Shape, in order: whose material holds there, as graded_parts()
+    gives it. Raises core.InvalidInput where a solid has none."""
     parts = graded_parts(thing)
     if not parts:
         raise core.InvalidInput(f"{thing.Label} has no graded material: give it one with attach_material()")
+    solids = thing.Shape.Solids
     if parts[0][0] == thing:
+        return parts * len(solids)
+    return [parts[_owner(solid, number, parts, thing)] for number, solid in enumerate(solids, 1)]
+
+
+def materials_of(thing):
+    """What `core.generate_mesh` takes as material for thing.Shape: a core.Material, or a list with that of each
+    solid. Raises core.InvalidInput where a solid has none."""
+    if has_material(thing):
         return material_of(thing)
-    owners = [_owner(solid, number, parts, thing) for number, solid in enumerate(thing.Shape.Solids, 1)]
-    made = {place: material_of(*parts[place]) for place in set(owners)}
-    return [made[place] for place in owners]
+    owners = owners_of(thing)
+    made = {id(part): material_of(*part) for part in owners}  # a part may stand in two places
+    return [made[id(part)] for part in owners]
 
 
 def _owner(solid, number, parts, thing):

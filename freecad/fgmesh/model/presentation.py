@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Where a GUI says how it shows a new mesh object and the progress of a run: others need not know it."""
+"""Where a GUI says how it shows new objects and the progress of a run: others need not know it."""
 import contextlib
 
 
-def no_view(mesh):
+def no_view(thing):
     """Headless: objects have no view provider."""
 
 
@@ -13,5 +13,5 @@ def no_progress():
     yield lambda control: None
 
 
-show = no_view
+show = show_graded_material = show_graded_solver = no_view
 progress = no_progress

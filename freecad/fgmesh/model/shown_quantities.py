@@ -2,7 +2,6 @@
 """What can be looked at on a graded solid: the fraction of a constituent, or a property mixed from the cards."""
 from typing import NamedTuple
 
-import FreeCAD
 import numpy as np
 
 from freecad.fgmesh.model import constituents
@@ -58,7 +57,7 @@ def shown_quantities(names, count, document):
     found = _fractions(names, count)
     cards = [constituents.properties(name, document) for name in names]
     for key, name, unit in _PROPERTIES if len(cards) == count else ():
-        values = tuple(_value(card.get(key), unit) for card in cards)
+        values = tuple(constituents.number_in(card.get(key), unit) for card in cards)
         if None not in values and len(set(values)) > 1:
             found.append(Quantity(name, "", unit, values))
     return found
@@ -70,14 +69,3 @@ def _fractions(names, count):
     titles = names if named else [str(number) for number in range(1, count + 1)]
     ones = np.eye(count).tolist()
     return [Quantity(name, title, "", tuple(values)) for title, values in zip(titles, ones)]
-
-
-def _value(text, unit):
-    """The number in `unit` that a card's text stands for; None where it is none."""
-    if not text:
-        return None
-    try:
-        quantity = FreeCAD.Units.Quantity(text)
-        return float(quantity.getValueAs(unit)) if unit else float(quantity)
-    except Exception:  # FreeCAD's parser of quantities knows many
-        return None

@@ -53,11 +53,6 @@ class MeshView(Stateless):
         FreeCADGui.runCommand("FGMesh_Mesh")
         return True
 
-    def updateData(self, mesh, name):
-        if name == "Fingerprint" and self.look is not None:  # the look is that of another mesh
-            self.look.close()
-            self.look = None
-
 
 def show(mesh):
     """Gives `mesh` this view provider where it has none: made headless, or without this workbench."""

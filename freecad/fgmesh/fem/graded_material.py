@@ -1,0 +1,261 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The graded material of an analysis: an object that knows the mesh, the mixing laws and how properties are told to
+the solver, and that keeps the material objects and the mesh groups from which FreeCAD writes decks."""
+import hashlib
+import json
+from typing import NamedTuple
+
+import FreeCAD
+import numpy as np
+
+from freecad.fgmesh import core, mixing
+from freecad.fgmesh.fem.bins import Bins, bins
+from freecad.fgmesh.fem.fem_workbench import module
+from freecad.fgmesh.fem.graded_fields import check_current, graded_mesh
+from freecad.fgmesh.model import constituents, presentation
+from freecad.fgmesh.model.graded_parts import graded_parts
+from freecad.fgmesh.model.stateless import Stateless
+
+MODES = ["bins", "continuous"]
+_LAW = "{}Law"
+_GROUP = "{}_Elements"
+_OUTPUT = 8  # Prop_Output, as in mesh_object
+_NOT_MADE = "out of date: no materials have been made yet"
+_RESULTS = (
+    ("Status", "App::PropertyString", "ok, or why the materials are out of date"),
+    ("BinCount", "App::PropertyInteger", "Material objects that stand for the grading"),
+    (
+        "PropertyError",
+        "App::PropertyFloat",
+        "Largest relative error of a property in an element, by its bin; of Poisson's ratio relative to 0.5",
+    ),
+    ("Materials", "App::PropertyLinkListHidden", "The material objects, one for each bin"),
+    ("MadeFrom", "App::PropertyString", "What they were made from, for telling when they are out of date"),
+)
+_HIDDEN = {"Materials", "MadeFrom"}
+
+
+class Request(NamedTuple):
+    """What a user asks of the graded material of an analysis; mixing: {property: text}, as mixing.read_laws() takes."""
+
+    mode: str = "bins"
+    bins: int = 20
+    allowed_error: float = 0.0
+    mixing: dict = {}
+
+    def laws(self):
+        """Those of all properties. Raises core.InvalidInput for whatever makes no sense in the request."""
+        if self.mode not in MODES:
+            raise core.InvalidInput(f"there is no mode {self.mode!r}: take one of {', '.join(MODES)}")
+        return mixing.read_laws(self.mixing)
+
+
+class GradedMaterial(Stateless):
+    """The proxy."""
+
+    def __init__(self, graded):
+        _add_missing_properties(graded)
+        graded.Proxy = self
+        presentation.show_graded_material(graded)
+
+    def execute(self, graded):
+        update_status(graded)
+
+    def onDocumentRestored(self, graded):
+        _add_missing_properties(graded)
+        presentation.show_graded_material(graded)
+
+
+def is_graded_material(thing):
+    """True for an object that new_graded_material() made."""
+    return "PropertyError" in getattr(thing, "PropertiesList", ())
+
+
+def graded_materials(document, mesh):
+    """Those of `document` that are of `mesh`."""
+    return [thing for thing in document.Objects if is_graded_material(thing) and thing.Mesh == mesh]
+
+
+def new_graded_material(document, mesh, name="GradedMaterial"):
+    """A new object, still without materials: fill() makes them."""
+    graded = document.addObject("App::FeaturePython", name)
+    GradedMaterial(graded)
+    graded.Mesh = mesh
+    return graded
+
+
+def set_request(graded, request):
+    """Puts the values of a Request into the object."""
+    graded.Mode, graded.Bins, graded.AllowedError = request.mode, request.bins, request.allowed_error
+    for name in mixing.PROPERTIES:
+        setattr(graded, _LAW.format(name), request.mixing.get(name) or "")
+
+
+def request_of(graded):
+    """The Request that the object's properties are, as they are now."""
+    laws = {name: getattr(graded, _LAW.format(name)) for name in mixing.PROPERTIES}
+    return Request(graded.Mode, graded.Bins, graded.AllowedError, laws)
+
+
+def fill(graded):
+    """Makes the material objects and the mesh groups of `graded` anew, in place of those that it has.
+
+    Raises core.InvalidInput, core.GeometryError before anything is changed.
+    """
+    request, mesh = request_of(graded), graded.Mesh
+    fields = graded_mesh(mesh)
+    properties = fields.in_tets(request.laws())
+    if request.mode == "bins":
+        parts = bins(properties, request.bins, request.allowed_error)
+    else:
+        parts = _one_for_each_region(fields, properties)
+    group = graded.getParentGroup()
+    materials = _materials(graded, len(next(iter(parts.values.values()))), group)
+    for number, material in enumerate(materials):
+        _set_card(material, {name: column[number] for name, column in parts.values.items()})
+        material.References = [(mesh.Shape, _solid_names(mesh.Shape))] if len(materials) > 1 else []
+    _set_groups(mesh, materials, parts.numbers)
+    graded.Materials = materials
+    graded.BinCount, graded.PropertyError = len(materials), parts.error
+    graded.MadeFrom = json.dumps(_made_from(graded))
+    update_status(graded)
+
+
+def refill(mesh):
+    """Makes the materials of `mesh` anew in each analysis that has such; for after meshing."""
+    for graded in graded_materials(mesh.Document, mesh):
+        try:
+            fill(graded)
+        except core.Error as error:
+            update_status(graded)
+            FreeCAD.Console.PrintWarning(f"{graded.Label} is out of date: {error}\n")
+
+
+def update_status(graded):
+    status = _status(graded)
+    if graded.Status != status:
+        graded.Status = status
+
+
+def check_filled(graded):
+    """Raises core.InvalidInput where the materials do not belong to mesh, cards and laws as they are now."""
+    check_current(graded.Mesh)
+    update_status(graded)
+    if graded.Status != "ok":
+        raise core.InvalidInput(
+            f"{graded.Label} is {graded.Status}. Create the graded analysis again, which completes this one"
+        )
+
+
+def _status(graded):
+    if graded.Mesh is None:
+        return "out of date: the mesh is gone"
+    if not graded.MadeFrom:
+        return graded.Status or _NOT_MADE
+    if None in graded.Materials or len(graded.Materials) != graded.BinCount:
+        return "out of date: some of its materials are gone"
+    before, now = json.loads(graded.MadeFrom), _made_from(graded)
+    words = {
+        "mesh": "the mesh is another one",
+        "request": "modes, bins or laws were changed",
+        "cards": "a material card was changed",
+    }
+    changed = [words[name] for name in words if before.get(name) != now[name]]
+    return "out of date: " + "; ".join(changed) if changed else "ok"
+
+
+def _made_from(graded):
+    solid = graded.Mesh.Shape
+    owners = [owner for owner, _ in graded_parts(solid)] if solid is not None else []
+    cards = [
+        [name, sorted(constituents.properties(name, owner.Document).items())]
+        for owner in owners
+        for name in getattr(owner, "FGMConstituents", [])
+    ]
+    return {
+        "mesh": graded.Mesh.Fingerprint,
+        "request": list(request_of(graded)),
+        "cards": hashlib.sha256(repr(cards).encode()).hexdigest(),
+    }
+
+
+def _one_for_each_region(fields, properties):
+    """As bins() gives them; a material for each region, with its mean properties, is where a solver begins that
+    has the true ones from elsewhere."""
+    numbers = np.empty(len(fields.tets), int)
+    for number, region in enumerate(fields.regions):
+        numbers[region.tets] = number
+    counts = np.bincount(numbers)
+    values = {name: np.bincount(numbers, weights=column) / counts for name, column in properties.items()}
+    return Bins(numbers, values, 0.0)
+
+
+def _materials(graded, count, group):
+    """So many material objects in the group of `graded`: those that it has, more or fewer."""
+    kept = [material for material in graded.Materials if material is not None]
+    for material in kept[count:]:
+        graded.Document.removeObject(material.Name)
+    make = module("ObjectsFem").makeMaterialSolid
+    for number in range(len(kept) + 1, count + 1):
+        # With zeros in front, so that names sort as numbers do.
+        material = make(graded.Document, f"{graded.Name}_Bin{number:04}")
+        if group is not None:
+            group.addObject(material)
+        kept.append(material)
+    return kept[:count]
+
+
+def _set_card(material, properties):
+    card = {"Name": material.Name, "Father": "FGMesh"}
+    for name, value in properties.items():
+        unit = constituents.UNITS[name]
+        card[name] = f"{value:.13g} {unit}" if unit else f"{value:.13g}"
+    material.Material = card
+
+
+def _solid_names(solid):
+    return tuple(f"Solid{number}" for number in range(1, len(solid.Shape.Solids) + 1))
+
+
+def _set_groups(mesh, materials, numbers):
+    """Gives the Fem mesh a group of volumes for each material, by which FreeCAD's writers find its elements."""
+    fem_mesh = mesh.FemMesh.copy()
+    names = [_GROUP.format(material.Name) for material in materials]
+    prefix = materials[0].Name.rsplit("_Bin", 1)[0] + "_Bin"
+    for group in fem_mesh.Groups:
+        if fem_mesh.getGroupName(group).startswith(prefix):
+            fem_mesh.removeGroup(group)
+    order = np.argsort(numbers, kind="stable")
+    starts = np.searchsorted(numbers[order], np.arange(1, len(materials)))
+    for name, members in zip(names, np.split(order + 1, starts)):
+        fem_mesh.addGroupElements(fem_mesh.addGroup(name, "Volume"), members.tolist())
+    mesh.FemMesh = fem_mesh
+    mesh.Proxy.kept.keep(mesh.Fingerprint, fem_mesh)
+
+
+def _add_missing_properties(graded):
+    def add(kind, name, group, tip, *attributes):
+        if name in graded.PropertiesList:
+            return False
+        graded.addProperty(kind, name, group, tip, *attributes)
+        return True
+
+    for name, kind, tip in _RESULTS:
+        add(kind, name, "Results", tip, _OUTPUT)
+        graded.setEditorMode(name, ["ReadOnly", "Hidden"] if name in _HIDDEN else ["ReadOnly"])
+    add("App::PropertyLinkGlobal", "Mesh", "Grading", "The graded mesh")
+    defaults = Request()
+    if add("App::PropertyEnumeration", "Mode", "Grading", "How properties are told to the solver"):
+        graded.Mode = MODES
+        graded.Mode = defaults.mode
+    if add("App::PropertyInteger", "Bins", "Grading", "Materials to make, where no error is allowed below"):
+        graded.Bins = defaults.bins
+    add(
+        "App::PropertyFloat",
+        "AllowedError",
+        "Grading",
+        "Relative error of the properties that bins may bring, which then decides how many there are; 0: Bins does",
+    )
+    for name in mixing.PROPERTIES:
+        tip = f"Mixing law of {name}: {', '.join(mixing.laws_of(name))}, or a formula such as p1*v1 + p2*v2"
+        add("App::PropertyString", _LAW.format(name), "Mixing", f"{tip}; empty: the usual one")

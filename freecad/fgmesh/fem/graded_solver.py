@@ -1,0 +1,179 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A solver object for CalculiX whose properties vary inside elements.
+
+CalculiX interpolates only temperatures inside an element; so the volume fraction of the first constituent takes the
+temperature's place: properties are tables over it, and it is the initial temperature of the nodes. Without
+*EXPANSION it strains nothing. The temperature itself is lost by that: there is no thermomechanical analysis so.
+The decks are FreeCAD's own, with the materials replaced.
+"""
+import os
+from pathlib import Path
+
+import numpy as np
+
+from freecad.fgmesh import core
+from freecad.fgmesh.fem.fem_workbench import module
+from freecad.fgmesh.fem.graded_fields import graded_mesh
+from freecad.fgmesh.fem.graded_material import check_filled, is_graded_material, request_of
+from freecad.fgmesh.model import presentation
+
+_ROWS = 201
+"""Of a table. Between two of them a property is linear: even one over 1:100 by Reuss's mean is then right to 1e-4 or
+so where it bends most."""
+
+_ANALYSES = ("static", "frequency", "buckling", "check")
+_PROPERTIES = (("*ELASTIC", ("YoungsModulus", "PoissonRatio")), ("*DENSITY", ("Density",)))
+_JUMP = 1e-6
+
+tasks = module("femsolver.calculix.tasks")
+run = module("femsolver.run")
+
+
+class GradedSolver(module("femsolver.calculix.solver").Proxy):
+    """The proxy: FreeCAD's solver object for CalculiX, but for the deck."""
+
+    def createMachine(self, solver, directory, testmode=False):
+        return run.Machine(
+            solver=solver,
+            directory=directory,
+            check=Check(),
+            prepare=Prepare(),
+            solve=tasks.Solve(),
+            results=tasks.Results(),
+            testmode=testmode,
+        )
+
+
+class Check(tasks.Check):
+    def run(self):
+        super().run()
+        try:
+            check_analysis(self.analysis, self.solver)
+        except core.Error as error:
+            self.report.error(f"{error}\n")
+            self.fail()
+
+
+class Prepare(tasks.Prepare):
+    def run(self):
+        super().run()
+        decks = list(Path(self.directory).glob("*.inp"))
+        if self.failed or not decks:
+            return
+        try:
+            for deck in decks:
+                grade_deck(deck, self.analysis)
+        except core.Error as error:
+            self.report.error(f"{error}\n")
+            self.fail()
+
+
+def make_graded_solver(document, name="GradedSolver"):
+    """A new solver object."""
+    solver = document.addObject("Fem::FemSolverObjectPython", name)
+    GradedSolver(solver)
+    presentation.show_graded_solver(solver)
+    return solver
+
+
+def is_graded_solver(solver):
+    return isinstance(getattr(solver, "Proxy", None), GradedSolver)
+
+
+def check_analysis(analysis, solver):
+    """Raises core.InvalidInput where the continuous mode cannot do what is asked for."""
+    graded = _graded(analysis)
+    check_filled(graded)
+    if solver.AnalysisType not in _ANALYSES:
+        raise core.InvalidInput(
+            f"{solver.Label}: a {solver.AnalysisType} analysis needs the temperature, in whose place the continuous mode "
+            "puts the volume fraction: create the graded analysis with bins"
+        )
+    if graded.Mode != "continuous":
+        raise core.InvalidInput(
+            f"{graded.Label} has bins, {solver.Label} is for the continuous mode: create the graded analysis again"
+        )
+
+
+def grade_deck(path, analysis):
+    """Replaces the materials in the deck at `path`, which FreeCAD has written for `analysis`, by graded ones."""
+    graded = _graded(analysis)
+    fields, laws = graded_mesh(graded.Mesh), request_of(graded).laws()
+    materials = {
+        material.Name: _table(region, laws) for material, region in zip(graded.Materials, fields.regions)
+    }
+    temperatures = _first_fractions(fields)
+    path = Path(path)
+    new = path.with_name(path.name + ".new")
+    with open(path, encoding="utf-8") as old, open(new, "w", encoding="utf-8") as deck:
+        _rewrite(old, deck, materials, temperatures)
+    os.replace(new, path)
+
+
+def _rewrite(old, deck, materials, temperatures):
+    keyword, table, done = "", None, False
+    for line in old:
+        if line.startswith("*") and not line.startswith("**"):
+            keyword = line.split(",")[0].strip().upper()
+            if keyword == "*MATERIAL":
+                table = materials.get(line.rpartition("=")[2].strip())
+            elif keyword not in dict(_PROPERTIES):
+                table = None
+            elif table:
+                deck.write(line + table[keyword])
+                continue
+            if keyword == "*STEP" and not done:
+                deck.write("** Volume fraction of the first constituent in the place of a temperature\n")
+                deck.write("*INITIAL CONDITIONS, TYPE=TEMPERATURE\n")
+                deck.writelines(f"{node},{value:.13G}\n" for node, value in enumerate(temperatures, 1))
+                done = True
+        elif table and keyword in dict(_PROPERTIES) and not line.startswith("**") and line.strip():
+            continue  # the value that the table replaces
+        deck.write(line)
+
+
+def _table(region, laws):
+    """{keyword: the lines of its table over the fraction of the first constituent}."""
+    fractions = np.linspace(0, 1, _ROWS)
+    properties = region.properties(np.column_stack([fractions, 1 - fractions]), laws)
+    tables = {}
+    for keyword, names in _PROPERTIES:
+        if all(name in properties for name in names):
+            rows = np.column_stack([*(properties[name] for name in names), fractions])
+            tables[keyword] = "".join(
+                ",".join(f"{value:.13G}" for value in row) + "\n" for row in rows.tolist()
+            )
+    return tables
+
+
+def _first_fractions(fields):
+    """(n,): that of the first constituent at each node."""
+    values = np.full(len(fields.points), np.nan)
+    for region in fields.regions:
+        count = len(region.owner.FGMConstituents)
+        if count != 2:
+            raise core.InvalidInput(
+                f"{region.owner.Label} has {count} constituents, but the continuous mode knows two: "
+                "create the graded analysis with bins"
+            )
+        nodes = np.unique(fields.tets[region.tets])
+        fractions = region.node_fractions(fields.points, nodes)[:, 0]
+        jumps = np.abs(fractions - values[nodes]) > _JUMP  # never where there is no value yet
+        if jumps.any():
+            x, y, z = fields.points[nodes[jumps][0]]
+            raise core.InvalidInput(
+                f"the composition jumps where {region.owner.Label} touches another solid, as at "
+                f"({x:.6g}, {y:.6g}, {z:.6g}), which the continuous mode cannot tell the solver: "
+                "create the graded analysis with bins"
+            )
+        values[nodes] = fractions
+    return values
+
+
+def _graded(analysis):
+    found = [thing for thing in analysis.Group if is_graded_material(thing)]
+    if len(found) != 1:
+        raise core.InvalidInput(
+            f"{analysis.Label} has {len(found) or 'no'} graded materials, where one is needed: create the graded analysis"
+        )
+    return found[0]
