@@ -45,6 +45,7 @@ class Bench:
         self.constrain("Displacement", places, **values)
 
     def _card(self, name, modulus, poisson):
+        """Of a conductivity proportional to its modulus."""
         import ObjectsFem
 
         card = ObjectsFem.makeMaterialSolid(self.document, name)
@@ -53,6 +54,9 @@ class Bench:
             "YoungsModulus": f"{modulus!r} MPa",
             "PoissonRatio": repr(poisson),
             "Density": "7800 kg/m^3",
+            "ThermalConductivity": f"{modulus / 100!r} W/m/K",
+            "ThermalExpansionCoefficient": "12 um/m/K",
+            "SpecificHeat": "500 J/kg/K",
         }
         return card
 
@@ -86,7 +90,9 @@ def patch_test(document, fgmesh, **options):
 
     def displacement(points):
         x, y, z = points.T
-        along = stress / e0 * (x + c * x**2 / (2 * length)) + nu * stress * c * (y**2 + z**2) / (2 * e0 * length)
+        along = stress / e0 * (x + c * x**2 / (2 * length)) + nu * stress * c * (y**2 + z**2) / (
+            2 * e0 * length
+        )
         across = -nu * stress / e0 * (1 + c * x / length)
         return np.column_stack([along, across * y, across * z])
 
@@ -106,37 +112,34 @@ def exponential_bar(document, fgmesh, **options):
         along = stress * length / (e0 * beta) * (1 - np.exp(-beta * points[:, 0] / length))
         return np.column_stack([along, 0 * along, 0 * along])
 
-    assert displacement(np.array([[length, 0, 0]]))[0, 0] == abs(displacement(np.array([[length, 0, 0]]))[0, 0])
     return bench, displacement
 
 
 def graded_strip(document, fgmesh, **options):
     """A strip graded exponentially through its height y, pulled by an even stress along x: it bends."""
-    length, width, depth, nu, stress = 9.0, 9.0, 2.0, 0.3, 1e-3
+    length, width, depth, nu, stress = 27.0, 9.0, 1.5, 0.3, 1e-3
     b = math.log(8) / width
     i0, i1 = 7 / b, (8 * (b * width - 1) + 1) / b**2
     i2 = (8 * ((b * width) ** 2 - 2 * b * width + 2) - 2) / b**3
     force, moment = stress * width, stress * width**2 / 2
     bend = (moment * i0 - force * i1) / (i0 * i2 - i1**2)
     stretch = (force * i2 - moment * i1) / (i0 * i2 - i1**2)
-    assert (bend / stress, stretch / stress) == (
-        __import__("pytest").approx(-0.078616755, rel=1e-6),
-        __import__("pytest").approx(0.76543255, rel=1e-6),
-    )
     shape = Part.makeBox(length, width, depth)
     bench = Bench(document, fgmesh, shape, f"(exp({b!r}*y) - 1)/7", (8.0, 1.0), nu, **options)
-    end = ("Face", (length, width / 2, depth / 2))
-    bench.constrain("Pressure", [end], Pressure=stress, Reversed=True)
-    bench.constrain("PlaneRotation", [end])
+    bench.constrain("Pressure", [("Face", (length, width / 2, depth / 2))], Pressure=stress, Reversed=True)
     bench.hold("x", ("Face", (0, width / 2, depth / 2)))
     bench.hold("xyz", ("Vertex", (0, 0, 0)))
-    bench.hold("xy", ("Vertex", (0, 0, depth)))
+    bench.hold("xz", ("Vertex", (0, width, 0)))
 
     def displacement(points):
         x, y, z = points.T
         along = (bend * y + stretch) * x
         up = -nu * (stretch * y + bend * y**2 / 2) - bend * x**2 / 2 + nu * bend * z**2 / 2
-        return np.column_stack([along, up, -nu * (bend * y + stretch) * z])
+        exact = np.column_stack([along, up, -nu * (bend * y + stretch) * z])
+        # The true stress is not even over the pulled end. What differs has neither force nor moment, and is felt
+        # nearby alone (Saint-Venant).
+        exact[x > length / 3] = np.nan
+        return exact
 
     return bench, displacement
 
@@ -144,7 +147,7 @@ def graded_strip(document, fgmesh, **options):
 def thick_cylinder(document, fgmesh, **options):
     """A quarter of a thick cylinder under pressure inside, between two plates: E = E0 (r/a)^beta (Horgan and Chan,
     J. Elasticity 55 (1999) 43)."""
-    a, b, height, e0, nu, p, beta = 10.0, 20.0, 3.0, 1000.0, 0.3, 100.0, 3
+    a, b, height, e0, nu, p, beta = 10.0, 20.0, 1.5, 1000.0, 0.3, 100.0, 3
     n, k = nu / (1 - nu), b / a
     root = math.sqrt(beta**2 + 4 - 4 * n * beta)
     m1, m2 = (-beta + root) / 2, (-beta - root) / 2
@@ -157,7 +160,11 @@ def thick_cylinder(document, fgmesh, **options):
     bench = Bench(document, fgmesh, shape, formula, (e0 * k**beta, e0), nu, **options)
     middle, diagonal = (a + b) / 2, a / math.sqrt(2)
     bench.constrain("Pressure", [("Face", (diagonal, diagonal, height / 2))], Pressure=p)
-    bench.hold("z", ("Face", (middle / 2**0.5, middle / 2**0.5, 0)), ("Face", (middle / 2**0.5, middle / 2**0.5, height)))
+    bench.hold(
+        "z",
+        ("Face", (middle / 2**0.5, middle / 2**0.5, 0)),
+        ("Face", (middle / 2**0.5, middle / 2**0.5, height)),
+    )
     bench.hold("y", ("Face", (middle, 0, height / 2)))
     bench.hold("x", ("Face", (0, middle, height / 2)))
 
@@ -167,3 +174,21 @@ def thick_cylinder(document, fgmesh, **options):
         return points * (radial / r)[:, None] * [1, 1, 0]
 
     return bench, displacement
+
+
+def conduction(document, fgmesh, **options):
+    """A prism along x with its ends at 0 and 100 K, k = k0 exp(beta x/L). Gives temperatures (n,)."""
+    length, beta, half, hot = 10.0, math.log(8), 1.0, 100.0
+    shape = Part.makeBox(length, 2 * half, 2 * half, Vector(0, -half, -half))
+    bench = Bench(
+        document, fgmesh, shape, f"(exp({beta!r}*x/{length}) - 1)/7", (8000.0, 1000.0), 0.3, **options
+    )
+    bench.constrain("Temperature", [("Face", (0, 0, 0))], Temperature=0.0)
+    bench.constrain("Temperature", [("Face", (length, 0, 0))], Temperature=hot)
+    bench.constrain("InitialTemperature", [], initialTemperature=0.0)
+    bench.hold("xyz", ("Face", (0, 0, 0)))
+
+    def temperature(points):
+        return hot * (1 - np.exp(-beta * points[:, 0] / length)) / (1 - np.exp(-beta))
+
+    return bench, temperature

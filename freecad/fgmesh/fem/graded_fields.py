@@ -21,6 +21,9 @@ REQUIRED = ("YoungsModulus", "PoissonRatio")
 _LEAST = 1e-9
 """A fraction further outside of [0, 1] than rounding goes is not silently moved into it."""
 
+_JUMP = 1e-6
+"""Of a fraction at a node, between one solid and another."""
+
 
 class Region(NamedTuple):
     """The solids of a mesh in which one material holds."""
@@ -80,6 +83,30 @@ class GradedMesh(NamedTuple):
         for region, properties in parts:
             for name, column in values.items():
                 column[region.tets] = properties[name]
+        return values
+
+    def first_fractions(self):
+        """(n,): the fraction of the first constituent at each node. Raises core.InvalidInput where that does not say
+        all, since there are more than two constituents, or where it jumps."""
+        values = np.full(len(self.points), np.nan)
+        for region in self.regions:
+            count = len(region.owner.FGMConstituents)
+            if count != 2:
+                raise core.InvalidInput(
+                    f"{region.owner.Label} has {count} constituents, but the continuous mode knows two: "
+                    "take bins"
+                )
+            nodes = np.unique(self.tets[region.tets])
+            fractions = region.node_fractions(self.points, nodes)[:, 0]
+            jumps = np.abs(fractions - values[nodes]) > _JUMP  # never where there is no value yet
+            if jumps.any():
+                x, y, z = self.points[nodes[jumps][0]]
+                raise core.InvalidInput(
+                    f"the composition jumps where {region.owner.Label} touches another solid, as at "
+                    f"({x:.6g}, {y:.6g}, {z:.6g}), which the continuous mode cannot tell the solver: "
+                    "take bins"
+                )
+            values[nodes] = fractions
         return values
 
 

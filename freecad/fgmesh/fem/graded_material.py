@@ -182,6 +182,7 @@ def _made_from(graded):
 def _one_for_each_region(fields, properties):
     """As bins() gives them; a material for each region, with its mean properties, is where a solver begins that
     has the true ones from elsewhere."""
+    fields.first_fractions()  # which refuses what it cannot tell
     numbers = np.empty(len(fields.tets), int)
     for number, region in enumerate(fields.regions):
         numbers[region.tets] = number

@@ -23,7 +23,6 @@ so where it bends most."""
 
 _ANALYSES = ("static", "frequency", "buckling", "check")
 _PROPERTIES = (("*ELASTIC", ("YoungsModulus", "PoissonRatio")), ("*DENSITY", ("Density",)))
-_JUMP = 1e-6
 
 tasks = module("femsolver.calculix.tasks")
 run = module("femsolver.run")
@@ -102,7 +101,7 @@ def grade_deck(path, analysis):
     materials = {
         material.Name: _table(region, laws) for material, region in zip(graded.Materials, fields.regions)
     }
-    temperatures = _first_fractions(fields)
+    temperatures = fields.first_fractions()
     path = Path(path)
     new = path.with_name(path.name + ".new")
     with open(path, encoding="utf-8") as old, open(new, "w", encoding="utf-8") as deck:
@@ -144,30 +143,6 @@ def _table(region, laws):
                 ",".join(f"{value:.13G}" for value in row) + "\n" for row in rows.tolist()
             )
     return tables
-
-
-def _first_fractions(fields):
-    """(n,): that of the first constituent at each node."""
-    values = np.full(len(fields.points), np.nan)
-    for region in fields.regions:
-        count = len(region.owner.FGMConstituents)
-        if count != 2:
-            raise core.InvalidInput(
-                f"{region.owner.Label} has {count} constituents, but the continuous mode knows two: "
-                "create the graded analysis with bins"
-            )
-        nodes = np.unique(fields.tets[region.tets])
-        fractions = region.node_fractions(fields.points, nodes)[:, 0]
-        jumps = np.abs(fractions - values[nodes]) > _JUMP  # never where there is no value yet
-        if jumps.any():
-            x, y, z = fields.points[nodes[jumps][0]]
-            raise core.InvalidInput(
-                f"the composition jumps where {region.owner.Label} touches another solid, as at "
-                f"({x:.6g}, {y:.6g}, {z:.6g}), which the continuous mode cannot tell the solver: "
-                "create the graded analysis with bins"
-            )
-        values[nodes] = fractions
-    return values
 
 
 def _graded(analysis):
