@@ -6,9 +6,11 @@ import FreeCADGui
 
 from freecad.fgmesh.model import presentation
 from freecad.fgmesh.model.texts import TRANSLATE_LATER
-from freecad.fgmesh.view import ICON, mesh_view, progress
+from freecad.fgmesh.view import ICON, analysis_view, mesh_view, progress
 
 presentation.show = mesh_view.show
+presentation.show_graded_material = analysis_view.show_graded_material
+presentation.show_graded_solver = analysis_view.show_graded_solver
 presentation.progress = progress.progress
 
 _ROOT = Path(__file__).absolute().parents[2]

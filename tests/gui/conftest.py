@@ -120,3 +120,22 @@ def in_gui(drive):
         return drive(f"{head}{script}\nlook()\nreturn answer")
 
     return run
+
+
+@pytest.fixture
+def meshed_box():
+    """The first lines of a script: `document` with `part`, a graded box, and `mesh`, seen in the view."""
+    return """
+import freecad.fgmesh as fgmesh
+document = FreeCAD.newDocument("Part")
+part = document.addObject("Part::Box", "Box")
+part.Length, part.Width, part.Height = 10, 20, 30
+document.recompute()
+fgmesh.attach_material(part, "z/30", constituents=["Steel-Generic", "Aluminum-Generic"])
+mesh = fgmesh.make_mesh(document, part)
+mesh.MaterialThreshold = 0.2
+fgmesh.generate(mesh)
+part.Visibility = False
+document.recompute()
+fresh_view(document)
+"""

@@ -2,26 +2,11 @@
 """The report of a mesh: its figures, files and looks."""
 import csv
 
-MESHED = """
-import freecad.fgmesh as fgmesh
-document = FreeCAD.newDocument("Part")
-part = document.addObject("Part::Box", "Box")
-part.Length, part.Width, part.Height = 10, 20, 30
-document.recompute()
-fgmesh.attach_material(part, "z/30", constituents=["Steel-Generic", "Aluminum-Generic"])
-mesh = fgmesh.make_mesh(document, part)
-mesh.MaterialThreshold = 0.2
-fgmesh.generate(mesh)
-part.Visibility = False
-document.recompute()
-fresh_view(document)
-"""
 
-
-def test_figures_files_and_looks(drive, tmp_path):
+def test_figures_files_and_looks(drive, meshed_box, tmp_path):
     answer = drive(
         f"folder = {str(tmp_path)!r}\n"
-        + MESHED
+        + meshed_box
         + """
 steps = document.UndoCount
 select(mesh)
@@ -58,9 +43,9 @@ return dict(rows=rows, tets=mesh.TetCount, low=mesh.DihedralMin, steps=document.
     assert "<svg" in (tmp_path / "angles.svg").read_text()
 
 
-def test_a_file_that_cannot_be_written_is_told(drive):
+def test_a_file_that_cannot_be_written_is_told(drive, meshed_box):
     answer = drive(
-        MESHED
+        meshed_box
         + """
 select(mesh)
 command("FGMesh_Report")

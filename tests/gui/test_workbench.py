@@ -24,7 +24,7 @@ def saved_document(tmp_path, coarse_mesh):
 def test_commands_are_active_where_they_make_sense(drive, saved_document):
     answer = drive(
         f"""
-names = ["FGMesh_Material", "FGMesh_Preview", "FGMesh_Mesh", "FGMesh_Report", "FGMesh_Examples"]
+names = ["FGMesh_Material", "FGMesh_Preview", "FGMesh_Mesh", "FGMesh_Report", "FGMesh_Analysis", "FGMesh_Examples"]
 
 def active():
     return [FreeCADGui.Command.get(name).isActive() for name in names]
@@ -47,13 +47,13 @@ return found
 """
     )
     assert answer["listed"] and answer["active"] == "FGMeshWorkbench"
-    assert answer["no_document"] == [False, False, False, False, True]
-    assert answer["nothing"] == [False, False, False, False, True]
-    assert answer["Box"] == [True, True, True, False, True]
-    assert answer["Plain"] == [True, False, False, False, True]
-    assert answer["FGMesh"] == [False, False, True, True, True]
-    assert answer["both"] == [True, False, False, False, True]
-    assert len(set(answer["icons"])) == 5
+    assert answer["no_document"] == [False, False, False, False, False, True]
+    assert answer["nothing"] == [False, False, False, False, False, True]
+    assert answer["Box"] == [True, True, True, False, False, True]
+    assert answer["Plain"] == [True, False, False, False, False, True]
+    assert answer["FGMesh"] == [False, False, True, True, True, True]
+    assert answer["both"] == [True, False, False, False, False, True]
+    assert len(set(answer["icons"])) == 6
 
 
 def test_documents_saved_without_a_gui_are_shown(drive, saved_document, tmp_path, artifacts):

@@ -71,6 +71,8 @@ FREECAD = {
     "femtools",
     "feminout",
     "femmesh",
+    "femsolver",
+    "femobjects",
     "PartDesign",
     "Import",
 }

@@ -48,6 +48,12 @@ def make_analysis(mesh, mode="bins", bins=20, mixing=None, allowed_error=0.0, an
     return analysis
 
 
+def analyses_for(mesh):
+    """The analyses of its document that make_analysis() can complete for `mesh`."""
+    found = [one for one in mesh.Document.Objects if one.isDerivedFrom("Fem::FemAnalysis")]
+    return [one for one in found if not _other_meshes(one, mesh)]
+
+
 def solvers_of(analysis):
     """The solver objects for CalculiX in `analysis`."""
     kinds = ("Fem::SolverCcxTools", "Fem::SolverCalculix")
@@ -61,12 +67,17 @@ def _check_analysis(analysis, mesh):
         raise core.InvalidInput(f"{getattr(analysis, 'Label', analysis)} is no FEM analysis")
     if analysis.Document != mesh.Document:
         raise core.InvalidInput(f"{analysis.Label} and {mesh.Label} must be in the same document")
-    others = [one for one in analysis.Group if one.isDerivedFrom("Fem::FemMeshObject") and one != mesh]
-    others = [one for one in others if "Result" not in getattr(getattr(one, "Proxy", None), "Type", "")]
+    others = _other_meshes(analysis, mesh)
     if others:
         raise core.InvalidInput(
             f"{analysis.Label} has the mesh {others[0].Label} already, and can have one only: take that out first"
         )
+
+
+def _other_meshes(analysis, mesh):
+    """Those that would be solved: results have meshes, too."""
+    meshes = [one for one in analysis.Group if one.isDerivedFrom("Fem::FemMeshObject") and one != mesh]
+    return [one for one in meshes if "Result" not in getattr(getattr(one, "Proxy", None), "Type", "")]
 
 
 def _provide_solver(analysis, mode):
@@ -74,12 +85,8 @@ def _provide_solver(analysis, mode):
     from freecad.fgmesh.fem.graded_solver import is_graded_solver, make_graded_solver
 
     solvers = solvers_of(analysis)
-    if any(is_graded_solver(solver) == (mode == "continuous") for solver in solvers):
-        fitting = True
-    else:
-        fitting = False
     others = [solver for solver in solvers if is_graded_solver(solver) != (mode == "continuous")]
-    if not fitting:
+    if len(others) == len(solvers):
         make = make_graded_solver if mode == "continuous" else make_standard_solver
         new = make(analysis.Document)
         for solver in others[:1]:

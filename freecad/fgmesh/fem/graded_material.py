@@ -104,11 +104,7 @@ def fill(graded):
     """
     request, mesh = request_of(graded), graded.Mesh
     fields = graded_mesh(mesh)
-    properties = fields.in_tets(request.laws())
-    if request.mode == "bins":
-        parts = bins(properties, request.bins, request.allowed_error)
-    else:
-        parts = _one_for_each_region(fields, properties)
+    parts = plan(fields, request)
     group = graded.getParentGroup()
     materials = _materials(graded, len(next(iter(parts.values.values()))), group)
     for number, material in enumerate(materials):
@@ -119,6 +115,14 @@ def fill(graded):
     graded.BinCount, graded.PropertyError = len(materials), parts.error
     graded.MadeFrom = json.dumps(_made_from(graded))
     update_status(graded)
+
+
+def plan(fields, request):
+    """The Bins that a Request comes to on a graded_fields.GradedMesh. Raises core.InvalidInput."""
+    properties = fields.in_tets(request.laws())
+    if request.mode == "bins":
+        return bins(properties, request.bins, request.allowed_error)
+    return _one_for_each_region(fields, properties)
 
 
 def refill(mesh):

@@ -31,6 +31,10 @@ run = module("femsolver.run")
 class GradedSolver(module("femsolver.calculix.solver").Proxy):
     """The proxy: FreeCAD's solver object for CalculiX, but for the deck."""
 
+    def onDocumentRestored(self, solver):
+        super().onDocumentRestored(solver)
+        presentation.show_graded_solver(solver)
+
     def createMachine(self, solver, directory, testmode=False):
         return run.Machine(
             solver=solver,

@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The graded material and the graded solver of an analysis in the tree."""
+import FreeCADGui
+
+from freecad.fgmesh.fem.fem_workbench import module
+from freecad.fgmesh.model.stateless import Stateless
+from freecad.fgmesh.view import icon
+
+
+class GradedMaterialView(Stateless):
+    """The proxy of the view provider."""
+
+    def __init__(self, view):
+        view.Proxy = self
+
+    def getIcon(self):
+        return icon("analysis")
+
+    def doubleClicked(self, view):
+        """Opens the panel by the command, which FreeCAD knows once the workbench has been active."""
+        mesh = view.Object.Mesh
+        if mesh is None or FreeCADGui.Control.activeDialog():
+            return False
+        FreeCADGui.activateWorkbench("FGMeshWorkbench")
+        FreeCADGui.Selection.clearSelection()
+        FreeCADGui.Selection.addSelection(mesh)
+        FreeCADGui.runCommand("FGMesh_Analysis")
+        return True
+
+
+def show_graded_material(graded):
+    """Gives `graded` this view provider where it has none."""
+    view = graded.ViewObject
+    if view is not None and not isinstance(view.Proxy, GradedMaterialView):
+        GradedMaterialView(view)
+
+
+def show_graded_solver(solver):
+    """Gives `solver` the view provider of FreeCAD's own solvers, with their panel."""
+    view = solver.ViewObject
+    if view is not None:
+        kind = module("femsolver.calculix.solver").ViewProxy
+        if not isinstance(view.Proxy, kind):
+            kind(view)
