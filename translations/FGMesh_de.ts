@@ -48,6 +48,18 @@
       <translation>Hinzufügen ...</translation>
     </message>
     <message>
+      <source>Allowed error</source>
+      <translation>Erlaubter Fehler</translation>
+    </message>
+    <message>
+      <source>Analysis</source>
+      <translation>Analyse</translation>
+    </message>
+    <message>
+      <source>Analysis of {}</source>
+      <translation>Analyse von {}</translation>
+    </message>
+    <message>
       <source>Anisotropy</source>
       <translation>Anisotropie</translation>
     </message>
@@ -58,6 +70,14 @@
     <message>
       <source>Ball, exponential about its centre (case study I)</source>
       <translation>Kugel, exponentiell um die Mitte (Fallstudie I)</translation>
+    </message>
+    <message>
+      <source>Bins</source>
+      <translation>Klassen</translation>
+    </message>
+    <message>
+      <source>Bins: elements share materials</source>
+      <translation>Klassen: Elemente teilen sich Materialien</translation>
     </message>
     <message>
       <source>Bracket, from one face to another</source>
@@ -90,6 +110,14 @@
     <message>
       <source>Constituent {}: there is no material card and no material object called {}; choose one</source>
       <translation>Bestandteil {}: Es gibt weder eine Materialkarte noch ein Materialobjekt namens {}; wählen Sie eines</translation>
+    </message>
+    <message>
+      <source>Continuous: inside elements, too</source>
+      <translation>Stetig: auch innerhalb der Elemente</translation>
+    </message>
+    <message>
+      <source>Create graded analysis</source>
+      <translation>Gradierte Analyse anlegen</translation>
     </message>
     <message>
       <source>Cut</source>
@@ -248,6 +276,10 @@
       <translation>Materialschwelle</translation>
     </message>
     <message>
+      <source>Materials: {}, properties within {} % of the mixtures</source>
+      <translation>Materialien: {}, Eigenschaften bis auf {} % die der Mischungen</translation>
+    </message>
+    <message>
       <source>Mesh</source>
       <translation>Vernetzen</translation>
     </message>
@@ -262,6 +294,14 @@
     <message>
       <source>Mesh of {}</source>
       <translation>Netz von {}</translation>
+    </message>
+    <message>
+      <source>Mixing laws</source>
+      <translation>Mischungsregeln</translation>
+    </message>
+    <message>
+      <source>New analysis</source>
+      <translation>Neue Analyse</translation>
     </message>
     <message>
       <source>No refinement makes edges shorter than this; 0: the part's diagonal / 2000</source>
@@ -334,6 +374,14 @@
     <message>
       <source>Processors to use; without effect yet, one is used</source>
       <translation>Zu nutzende Prozessoren; noch ohne Wirkung, einer wird genutzt</translation>
+    </message>
+    <message>
+      <source>Properties</source>
+      <translation>Eigenschaften</translation>
+    </message>
+    <message>
+      <source>Properties vary inside the elements</source>
+      <translation>Die Eigenschaften ändern sich innerhalb der Elemente</translation>
     </message>
     <message>
       <source>Radial</source>
@@ -516,6 +564,10 @@
       <translation>Winkel min</translation>
     </message>
     <message>
+      <source>as Bins says</source>
+      <translation>wie Klassen sagt</translation>
+    </message>
+    <message>
       <source>automatic</source>
       <translation>automatisch</translation>
     </message>
@@ -646,6 +698,10 @@ max {max:.4f}</translation>
       <translation>Schwelle</translation>
     </message>
     <message>
+      <source>usual: {}</source>
+      <translation>üblich: {}</translation>
+    </message>
+    <message>
       <source>variation max</source>
       <translation>Variation max</translation>
     </message>
@@ -668,6 +724,10 @@ max {max:.4f}</translation>
     <message>
       <source>whole</source>
       <translation>ganz</translation>
+    </message>
+    <message>
+      <source>yield strength</source>
+      <translation>Streckgrenze</translation>
     </message>
     <message>
       <source>z axis</source>
@@ -747,6 +807,17 @@ max {max:.4f}</translation>
     <message>
       <source>none</source>
       <translation>keine</translation>
+    </message>
+  </context>
+  <context>
+    <name>FGMesh_Analysis</name>
+    <message>
+      <source>Create graded analysis ...</source>
+      <translation>Gradierte Analyse anlegen ...</translation>
+    </message>
+    <message>
+      <source>Makes or completes a FEM analysis of the selected mesh, with graded properties</source>
+      <translation>Erstellt oder ergänzt eine FEM-Analyse des ausgewählten Netzes mit gradierten Eigenschaften</translation>
     </message>
   </context>
   <context>

@@ -71,6 +71,17 @@ take("report")
 choose("FGMeshLook", "Smallest angles")
 take("worst")
 panel_button("Close")
+
+select(document.FGMesh)
+command("FGMesh_Analysis")
+write("FGMeshAllowedError", "1")
+wait_for_text("FGMeshAnalysisMessage", "Materials:", 20)
+write("FGMeshYoungsModulusLaw", "mori_tanaka")
+settle(1)
+wait_for_text("FGMeshAnalysisMessage", "Materials:", 20)
+fresh_view(document)
+take("analysis")
+panel_button("Cancel")
 return dict(status=document.FGMesh.Status)
 """
 
@@ -134,7 +145,7 @@ def check_window(path):
 def test_the_way_from_part_to_report(drive, folder):
     answer = drive(f"folder = {str(folder)!r}\n" + WALK, screen=f"{WIDTH}x{HEIGHT}x24")
     assert answer["status"] == "ok"
-    for name in ("menu", "material", "material-error", "preview", "mesh", "report", "worst"):
+    for name in ("menu", "material", "material-error", "preview", "mesh", "report", "worst", "analysis"):
         check_window(folder / f"{name}.png")
 
 

@@ -95,6 +95,7 @@ def test_pages_name_the_fields_of_the_panels(source_dir, pages):
         "FGMesh_Preview": ("preview_box",),
         "FGMesh_Mesh": ("mesh_panel", "mesh_options_box"),
         "FGMesh_Report": ("report_panel",),
+        "FGMesh_Analysis": ("analysis_panel",),
     }
     label = re.compile(r'(?:QLabel|QPushButton|QCheckBox|addRow|super\(\).__init__)\(translate\("([^"{]+)"\)')
     seen = 0

@@ -206,6 +206,8 @@ def _materials(graded, count, group):
         material = make(graded.Document, f"{graded.Name}_Bin{number:04}")
         if group is not None:
             group.addObject(material)
+        if material.ViewObject is not None:
+            material.ViewObject.ShowInTree = False  # hundreds would bury the rest
         kept.append(material)
     return kept[:count]
 

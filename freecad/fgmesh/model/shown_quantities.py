@@ -10,15 +10,16 @@ from freecad.fgmesh.model.texts import TRANSLATE_LATER
 
 _FRACTION = TRANSLATE_LATER("FGMesh", "fraction of {}")
 _NAMELESS_FRACTION = TRANSLATE_LATER("FGMesh", "fraction of constituent {}")
-_PROPERTIES = (
-    ("YoungsModulus", TRANSLATE_LATER("FGMesh", "Young's modulus"), "GPa"),
-    ("PoissonRatio", TRANSLATE_LATER("FGMesh", "Poisson's ratio"), ""),
-    ("Density", TRANSLATE_LATER("FGMesh", "density"), "kg/m^3"),
-    ("ThermalConductivity", TRANSLATE_LATER("FGMesh", "thermal conductivity"), "W/m/K"),
-    ("ThermalExpansionCoefficient", TRANSLATE_LATER("FGMesh", "thermal expansion"), "um/m/K"),
-    ("SpecificHeat", TRANSLATE_LATER("FGMesh", "specific heat"), "J/kg/K"),
-)
-"""Name in material cards, name for users, unit that it is shown in."""
+PROPERTIES = {
+    "YoungsModulus": (TRANSLATE_LATER("FGMesh", "Young's modulus"), "GPa"),
+    "PoissonRatio": (TRANSLATE_LATER("FGMesh", "Poisson's ratio"), ""),
+    "Density": (TRANSLATE_LATER("FGMesh", "density"), "kg/m^3"),
+    "ThermalConductivity": (TRANSLATE_LATER("FGMesh", "thermal conductivity"), "W/m/K"),
+    "ThermalExpansionCoefficient": (TRANSLATE_LATER("FGMesh", "thermal expansion"), "um/m/K"),
+    "SpecificHeat": (TRANSLATE_LATER("FGMesh", "specific heat"), "J/kg/K"),
+    "YieldStrength": (TRANSLATE_LATER("FGMesh", "yield strength"), "MPa"),
+}
+"""{name in material cards: (name for users, unit that it is shown in)}."""
 
 
 class Quantity(NamedTuple):
@@ -56,7 +57,7 @@ def shown_quantities(names, count, document):
     """
     found = _fractions(names, count)
     cards = [constituents.properties(name, document) for name in names]
-    for key, name, unit in _PROPERTIES if len(cards) == count else ():
+    for key, (name, unit) in PROPERTIES.items() if len(cards) == count else ():
         values = tuple(constituents.number_in(card.get(key), unit) for card in cards)
         if None not in values and len(set(values)) > 1:
             found.append(Quantity(name, "", unit, values))

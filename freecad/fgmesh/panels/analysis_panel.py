@@ -10,6 +10,7 @@ from freecad.fgmesh.fem.fem_workbench import module
 from freecad.fgmesh.fem.graded_fields import graded_mesh
 from freecad.fgmesh.fem.graded_material import MODES, Request, graded_materials, plan, request_of
 from freecad.fgmesh.model.macro_text import document_text, object_text
+from freecad.fgmesh.model.shown_quantities import PROPERTIES
 from freecad.fgmesh.model.texts import TRANSLATE_LATER
 from freecad.fgmesh.panels.law_choice import LawChoice
 from freecad.fgmesh.panels.message_label import MessageLabel
@@ -18,15 +19,6 @@ from freecad.fgmesh.view import icon
 from freecad.fgmesh.view.recording import recorded
 from freecad.fgmesh.view.texts import number_text, translate
 
-PROPERTY_NAMES = {
-    "YoungsModulus": TRANSLATE_LATER("FGMesh", "Young's modulus"),
-    "PoissonRatio": TRANSLATE_LATER("FGMesh", "Poisson's ratio"),
-    "Density": TRANSLATE_LATER("FGMesh", "density"),
-    "ThermalConductivity": TRANSLATE_LATER("FGMesh", "thermal conductivity"),
-    "ThermalExpansionCoefficient": TRANSLATE_LATER("FGMesh", "thermal expansion"),
-    "SpecificHeat": TRANSLATE_LATER("FGMesh", "specific heat"),
-    "YieldStrength": TRANSLATE_LATER("FGMesh", "yield strength"),
-}
 MODE_NAMES = {
     "bins": TRANSLATE_LATER("FGMesh", "Bins: elements share materials"),
     "continuous": TRANSLATE_LATER("FGMesh", "Continuous: inside elements, too"),
@@ -103,7 +95,7 @@ class AnalysisPanel:
         box = QtGui.QGroupBox(translate("Mixing laws"))
         rows = QtGui.QFormLayout(box)
         for name, law in self.laws.items():
-            title = translate(PROPERTY_NAMES[name])
+            title = translate(PROPERTIES[name][0])
             rows.addRow(title[0].upper() + title[1:], law)
         layout.addWidget(box)
         layout.addWidget(self.message)
