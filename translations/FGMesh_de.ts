@@ -176,6 +176,10 @@
       <translation>FGMesh</translation>
     </message>
     <message>
+      <source>Fields on the results</source>
+      <translation>Felder auf den Ergebnissen</translation>
+    </message>
+    <message>
       <source>Fraction</source>
       <translation>Volumenanteil</translation>
     </message>
@@ -510,6 +514,10 @@
     <message>
       <source>Then click on a face, an edge, a vertex, a datum or a coordinate system: the frame stands there, its z axis along the normal or the axis</source>
       <translation>Klicken Sie dann auf eine Fläche, eine Kante, einen Eckpunkt, ein Bezugselement oder ein Koordinatensystem: Dort steht das Bezugssystem, seine z-Achse längs der Normalen oder der Achse</translation>
+    </message>
+    <message>
+      <source>There are no results yet: solve the analysis first</source>
+      <translation>Es gibt noch keine Ergebnisse: zuerst die Analyse lösen</translation>
     </message>
     <message>
       <source>Two parameters are called {}: rename or remove one</source>

@@ -331,3 +331,28 @@ def test_two_solids_with_materials_of_their_own(document, fgmesh, core):
     assert tip(result) == pytest.approx(5 * 8 / 1000 + 5 * 8 / 4000, rel=1e-4)
     with pytest.raises(core.InvalidInput, match="jumps where Right touches.*take bins"):
         fgmesh.make_analysis(mesh, mode="continuous", analysis=analysis)
+
+
+def test_fractions_and_properties_are_fields_of_the_results(analysis, bar, fgmesh, tmp_path):
+    """E = 1000 exp(ln 8 x/L) along the axis, probed by FreeCAD's own filter."""
+    made = analysis(mode="continuous")
+    for _ in range(2):  # a second run takes the place of the first
+        fgmesh.solve(made)
+    (pipeline,) = (one for one in made.Group if one.isDerivedFrom("Fem::FemPostPipeline"))
+    line = bar.document.addObject("Fem::FemPostDataAlongLineFilter", "Line")
+    clip = bar.document.addObject("Fem::FemPostScalarClipFilter", "Clip")
+    pipeline.Filter = [line, clip]
+    line.Point1, line.Point2, line.Resolution = FreeCAD.Vector(0.01, 0, 0), FreeCAD.Vector(9.99, 0, 0), 50
+    bar.document.recompute()
+    expected = {"fraction_1", "fraction_2", "YoungsModulus (MPa)", "Density (t/mm^3)", "von Mises Stress"}
+    assert expected <= set(clip.getEnumerationsOfProperty("Scalars"))
+    for name, exact in (
+        ("YoungsModulus (MPa)", lambda x: 1000 * np.exp(np.log(8) * x / 10)),
+        ("fraction_1", lambda x: (np.exp(np.log(8) * x / 10) - 1) / 7),
+    ):
+        line.PlotData = name
+        bar.document.recompute()
+        x, found = 0.01 + np.array(line.XAxisData), np.array(line.YAxisData)
+        assert len(x) == 51
+        # Linear between the nodes of a mesh of size 1.
+        assert found == pytest.approx(exact(x), rel=0.02, abs=0.005)

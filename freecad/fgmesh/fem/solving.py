@@ -13,6 +13,7 @@ from freecad.fgmesh.fem.analysis import solvers_of
 from freecad.fgmesh.fem.fem_workbench import module
 from freecad.fgmesh.fem.graded_material import check_filled, is_graded_material
 from freecad.fgmesh.fem.graded_solver import check_analysis, grade_deck, is_graded_solver
+from freecad.fgmesh.fem.result_fields import add_fields, remove_fields
 
 POLL_SECONDS = 0.1
 
@@ -26,7 +27,8 @@ class SolverFailed(core.Error):
 
 
 def solve(analysis, directory=None):
-    """Writes the deck of `analysis`, as make_analysis() makes it, runs CalculiX and puts the results into the document.
+    """Writes the deck of `analysis`, as make_analysis() makes it, runs CalculiX and puts the results into the document,
+    each with a pipeline for post-processing that has fractions and properties, too.
 
     directory: where deck and results are written; None: where the preferences of the FEM workbench have it. Blocks.
     Returns the list of new result objects. Raises core.InvalidInput where something is missing or out of date;
@@ -119,6 +121,7 @@ def _run(program, deck):
 
 def _read_results(analysis, solver, deck):
     tool = _tool(analysis, solver)
+    remove_fields(analysis)
     tool.purge_results()
     before = set(analysis.Group)
     tool.inp_file_name = str(deck)
@@ -132,4 +135,7 @@ def _read_results(analysis, solver, deck):
         raise SolverFailed(
             f"CalculiX has written no results that FreeCAD can read: see {deck.with_suffix('.frd')}"
         )
+    if any(is_graded_material(thing) for thing in analysis.Group):
+        for result in results:
+            add_fields(result)
     return results

@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The graded material and the graded solver of an analysis in the tree."""
 import FreeCADGui
+from PySide import QtGui
 
+from freecad.fgmesh import core
 from freecad.fgmesh.fem.fem_workbench import module
+from freecad.fgmesh.fem.result_fields import add_fields
 from freecad.fgmesh.model.stateless import Stateless
 from freecad.fgmesh.view import icon
+from freecad.fgmesh.view.texts import translate
 
 
 class GradedMaterialView(Stateless):
@@ -26,6 +30,23 @@ class GradedMaterialView(Stateless):
         FreeCADGui.Selection.addSelection(mesh)
         FreeCADGui.runCommand("FGMesh_Analysis")
         return True
+
+    def setupContextMenu(self, view, menu):
+        action = QtGui.QAction(translate("Fields on the results"), menu)
+        action.triggered.connect(lambda: _add_fields(view.Object))
+        menu.addAction(action)
+
+
+def _add_fields(graded):
+    analysis = graded.getParentGroup()
+    results = [one for one in analysis.Group if one.isDerivedFrom("Fem::FemResultObject")] if analysis else []
+    try:
+        if not results:
+            raise core.InvalidInput(translate("There are no results yet: solve the analysis first"))
+        for result in results:
+            add_fields(result)
+    except core.Error as error:
+        QtGui.QMessageBox.warning(FreeCADGui.getMainWindow(), "FGMesh", str(error))
 
 
 def show_graded_material(graded):

@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Composition and properties as fields beside stresses and displacements, where FreeCAD's post-processing finds them."""
+import tempfile
+from pathlib import Path
+
+import Fem
+import numpy as np
+
+from freecad.fgmesh import core
+from freecad.fgmesh.fem.graded_fields import graded_mesh
+from freecad.fgmesh.fem.graded_material import is_graded_material, request_of
+from freecad.fgmesh.model import constituents
+from freecad.fgmesh.model.transaction import transaction
+
+_RESULT = "GradedResult"
+"""The property by which a pipeline is known as ours."""
+
+
+def add_fields(result):
+    """A post-processing pipeline of `result`, a result object of a graded analysis, in place of the one it may have:
+    the fields that FreeCAD gives it, `fraction_1` ... and the properties, as "Density (t/mm^3)", at the nodes.
+
+    At an interface, where they may jump, a node has the values of one of the solids. Returns the pipeline, which
+    is in the analysis. One undo step. Raises core.InvalidInput where the result is not that of the mesh as it is.
+    """
+    import meshio
+
+    analysis = result.getParentGroup()
+    graded = next(filter(is_graded_material, analysis.Group if analysis else []), None)
+    if graded is None:
+        raise core.InvalidInput(f"{result.Label} is no result of a graded analysis")
+    fields = graded_mesh(graded.Mesh)
+    if len(fields.points) != len(result.NodeNumbers):
+        raise core.InvalidInput(f"{result.Label} is of another mesh than {graded.Mesh.Label}: solve again")
+    with tempfile.TemporaryDirectory() as folder:
+        path = str(Path(folder) / "result.vtu")
+        Fem.writeResult(path, result)
+        mesh = meshio.read(path)
+        mesh.point_data.update(_at_nodes(fields, request_of(graded).laws()))
+        mesh.write(path)
+        with transaction(result.Document, "Add graded fields"):
+            remove_fields(analysis, result)
+            pipeline = result.Document.addObject("Fem::FemPostPipeline", f"{result.Name}_Fields")
+            pipeline.addProperty(
+                "App::PropertyLink", _RESULT, "FGMesh", "The result that the fields belong to"
+            )
+            setattr(pipeline, _RESULT, result)
+            pipeline.read(path)
+            analysis.addObject(pipeline)
+    return pipeline
+
+
+def remove_fields(analysis, result=None):
+    """Removes the pipelines of `result`, of all results where None, that add_fields() has made."""
+    for thing in analysis.Group:
+        if _RESULT in thing.PropertiesList and result in (None, getattr(thing, _RESULT)):
+            thing.Document.removeObject(thing.Name)
+
+
+def _at_nodes(fields, laws):
+    """{name: (n,)}; NaN where a region has not what others have."""
+    values = {}
+    for region in fields.regions:
+        nodes = np.unique(fields.tets[region.tets])
+        fractions = region.node_fractions(fields.points, nodes)
+        found = {f"fraction_{number}": column for number, column in enumerate(fractions.T, 1)}
+        for name, column in region.properties(fractions, laws).items():
+            unit = constituents.UNITS[name]
+            found[f"{name} ({unit})" if unit else name] = column
+        for name, column in found.items():
+            values.setdefault(name, np.full(len(fields.points), np.nan))[nodes] = column
+    return values
