@@ -72,6 +72,10 @@
       <translation>Kugel, exponentiell um die Mitte (Fallstudie I)</translation>
     </message>
     <message>
+      <source>Beam, steel below and aluminium above, for analysis</source>
+      <translation>Balken, unten Stahl und oben Aluminium, für die Analyse</translation>
+    </message>
+    <message>
       <source>Bins</source>
       <translation>Klassen</translation>
     </message>

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Graded analyses, from document to result objects, against solutions in closed form."""
+import importlib.util
+
 import exact_problems
+import FreeCAD
 import numpy as np
 import pytest
 
@@ -64,3 +67,41 @@ def test_conduction(solved):
     result, points, exact = solved("conduction", "bins", kind="thermomech", MaxSize=0.6)
     assert np.array(result.Temperature) == pytest.approx(exact, abs=0.3)
     assert exact[np.abs(points[:, 0] - 5).argmin()] == pytest.approx(73.88, abs=5)
+
+
+def test_the_beam_of_the_examples(source_dir, document, fgmesh, tmp_path, monkeypatch):
+    """All four kinds of analysis against the theory of slender beams, with moduli as FreeCAD's cards have them."""
+    from freecad.fgmesh.model import constituents
+
+    monkeypatch.setenv("HOME", str(tmp_path))
+    spec = importlib.util.spec_from_file_location(
+        "examples.graded_beam", source_dir / "examples" / "graded_beam.py"
+    )
+    macro = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(macro)
+    deflection, frequencies, factor, bent = macro.main()
+    FreeCAD.closeDocument("GradedBeam")
+
+    steel, aluminium = zip(*constituents.values(["Steel-Generic", "Aluminum-Generic"], document).values())
+    z = np.linspace(0, macro.HEIGHT, 2001)
+    cards = dict(zip(constituents.UNITS, zip(steel, aluminium)))
+
+    def graded(name):
+        below, above = cards[name]
+        return below + (above - below) * z / macro.HEIGHT
+
+    def over_section(values):
+        return np.trapz(values, z) * macro.WIDTH
+
+    modulus, length = graded("YoungsModulus"), macro.LENGTH
+    i0, i1, i2 = (over_section(modulus * z**n) for n in range(3))
+    stiffness = i2 - i1**2 / i0
+    assert deflection == pytest.approx(-macro.LOAD * length**3 / (3 * stiffness), rel=0.02)
+    first = 1.8751**2 / (2 * np.pi) * np.sqrt(stiffness / over_section(graded("Density")) / length**4)
+    assert frequencies[0] == pytest.approx(first, rel=0.02)
+    assert factor * macro.WIDTH * macro.HEIGHT == pytest.approx(
+        np.pi**2 * stiffness / (4 * length**2), rel=0.02
+    )
+    free = modulus * graded("ThermalExpansionCoefficient") * macro.WARMER
+    curvature = (over_section(free * z) * i0 - over_section(free) * i1) / (i0 * i2 - i1**2)
+    assert bent == pytest.approx(-curvature * length**2 / 2, rel=0.03)

@@ -356,3 +356,10 @@ def test_fractions_and_properties_are_fields_of_the_results(analysis, bar, fgmes
         assert len(x) == 51
         # Linear between the nodes of a mesh of size 1.
         assert found == pytest.approx(exact(x), rel=0.02, abs=0.005)
+
+
+def test_a_mesh_is_in_one_analysis(analysis, bar, fgmesh, core):
+    made = analysis()
+    with pytest.raises(core.InvalidInput, match="FGMesh is in Analysis already: complete that one"):
+        fgmesh.make_analysis(bar.mesh)
+    assert bar.mesh in made.Group

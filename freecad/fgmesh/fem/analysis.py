@@ -49,9 +49,11 @@ def make_analysis(mesh, mode="bins", bins=20, mixing=None, allowed_error=0.0, an
 
 
 def analyses_for(mesh):
-    """The analyses of its document that make_analysis() can complete for `mesh`."""
+    """What make_analysis() can take as `analysis` for `mesh`: the one that the mesh is in; else None, for a new one, and
+    those of its document that have no mesh yet."""
     found = [one for one in mesh.Document.Objects if one.isDerivedFrom("Fem::FemAnalysis")]
-    return [one for one in found if not _other_meshes(one, mesh)]
+    own = [one for one in found if mesh in one.Group]
+    return own or [None, *(one for one in found if not _other_meshes(one, mesh))]
 
 
 def solvers_of(analysis):
@@ -61,6 +63,12 @@ def solvers_of(analysis):
 
 
 def _check_analysis(analysis, mesh):
+    for other in mesh.InList:
+        if other.isDerivedFrom("Fem::FemAnalysis") and other != analysis:
+            # FreeCAD would take it out of there without a word.
+            raise core.InvalidInput(
+                f"{mesh.Label} is in {other.Label} already: complete that one, or make another mesh of the solid"
+            )
     if analysis is None:
         return
     if not (hasattr(analysis, "isDerivedFrom") and analysis.isDerivedFrom("Fem::FemAnalysis")):

@@ -19,6 +19,7 @@ EXAMPLES = (
     Example(TRANSLATE_LATER("FGMesh", "Cylinder, power law along its axis (case study II)"), "case_study_2"),
     Example(TRANSLATE_LATER("FGMesh", "Bracket, from one face to another"), "face_to_face"),
     Example(TRANSLATE_LATER("FGMesh", "Pin, hardened, by a table of measured values"), "hardened_pin"),
+    Example(TRANSLATE_LATER("FGMesh", "Beam, steel below and aluminium above, for analysis"), "graded_beam"),
     Example(TRANSLATE_LATER("FGMesh", "Pin in a plate, two solids with a material each"), "two_solids"),
 )
 

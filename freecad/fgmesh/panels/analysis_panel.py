@@ -101,16 +101,12 @@ class AnalysisPanel:
         layout.addWidget(self.message)
 
     def _fill(self):
-        self._analyses = [None, *analyses_for(self.mesh)]
-        self.analysis.addItem(translate("New analysis"))
-        self.analysis.addItems([one.Label for one in self._analyses[1:]])
+        self._analyses = analyses_for(self.mesh)
+        self.analysis.addItems([one.Label if one else translate("New analysis") for one in self._analyses])
         self.mode.addItems([translate(MODE_NAMES[mode]) for mode in MODES])
         graded = graded_materials(self.mesh.Document, self.mesh)
         request = request_of(graded[0]) if graded else Request()
-        if graded and graded[0].getParentGroup() in self._analyses:
-            self.analysis.setCurrentIndex(self._analyses.index(graded[0].getParentGroup()))
-        elif len(self._analyses) == 2:
-            self.analysis.setCurrentIndex(1)
+        self.analysis.setCurrentIndex(1 if len(self._analyses) == 2 else 0)
         self.mode.setCurrentIndex(MODES.index(request.mode))
         self.bins.setValue(request.bins)
         self.error.setValue(100 * request.allowed_error)
