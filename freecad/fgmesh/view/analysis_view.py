@@ -8,6 +8,7 @@ from freecad.fgmesh.fem.fem_workbench import module
 from freecad.fgmesh.fem.result_fields import add_fields
 from freecad.fgmesh.model.stateless import Stateless
 from freecad.fgmesh.view import icon
+from freecad.fgmesh.view.selection import run_on
 from freecad.fgmesh.view.texts import translate
 
 
@@ -21,15 +22,8 @@ class GradedMaterialView(Stateless):
         return icon("analysis")
 
     def doubleClicked(self, view):
-        """Opens the panel by the command, which FreeCAD knows once the workbench has been active."""
         mesh = view.Object.Mesh
-        if mesh is None or FreeCADGui.Control.activeDialog():
-            return False
-        FreeCADGui.activateWorkbench("FGMeshWorkbench")
-        FreeCADGui.Selection.clearSelection()
-        FreeCADGui.Selection.addSelection(mesh)
-        FreeCADGui.runCommand("FGMesh_Analysis")
-        return True
+        return mesh is not None and run_on(mesh, "FGMesh_Analysis")
 
     def setupContextMenu(self, view, menu):
         action = QtGui.QAction(translate("Fields on the results"), menu)

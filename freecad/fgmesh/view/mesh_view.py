@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The mesh object in the tree and in the 3D view: FreeCAD's own Fem mesh display under an icon of ours, which tells
 whether the mesh is up to date."""
-import FreeCADGui
 from PySide import QtGui
 
 from freecad.fgmesh.model.stateless import Stateless
 from freecad.fgmesh.view import icon
+from freecad.fgmesh.view.selection import run_on
 from freecad.fgmesh.view.texts import translate
 
 
@@ -31,27 +31,17 @@ class MeshView(Stateless):
             self.look = None
 
     def doubleClicked(self, view):
-        return self._open_panel(view.Object)
+        return run_on(view.Object, "FGMesh_Mesh")
 
     def setupContextMenu(self, view, menu):
         action = QtGui.QAction(translate("Mesh again ..."), menu)
-        action.triggered.connect(lambda: self._open_panel(view.Object))
+        action.triggered.connect(lambda: run_on(view.Object, "FGMesh_Mesh"))
         menu.addAction(action)
 
     def _up_to_date(self):
         # attach() has not been called where a document is being opened, nor on objects of old documents.
         mesh = getattr(self, "_mesh", None)
         return not getattr(mesh, "Status", "").startswith("out of date")
-
-    def _open_panel(self, mesh):
-        """By the command, which FreeCAD knows once the workbench has been active."""
-        if FreeCADGui.Control.activeDialog():
-            return False
-        FreeCADGui.activateWorkbench("FGMeshWorkbench")
-        FreeCADGui.Selection.clearSelection()
-        FreeCADGui.Selection.addSelection(mesh)
-        FreeCADGui.runCommand("FGMesh_Mesh")
-        return True
 
 
 def show(mesh):
