@@ -81,7 +81,7 @@
     </message>
     <message>
       <source>Bins: elements share materials</source>
-      <translation>Klassen: Elemente teilen sich Materialien</translation>
+      <translation>Klassen: je ein Material</translation>
     </message>
     <message>
       <source>Bracket, from one face to another</source>
@@ -117,7 +117,7 @@
     </message>
     <message>
       <source>Continuous: inside elements, too</source>
-      <translation>Stetig: auch innerhalb der Elemente</translation>
+      <translation>Stetig: auch in Elementen</translation>
     </message>
     <message>
       <source>Create graded analysis</source>

@@ -74,6 +74,11 @@ select(document.FGMesh)
 command("FGMesh_Report")
 look("report, out of date", "FGMeshStages", "FGMeshStatus")
 panel_button("Close")
+select(document.FGMesh)
+command("FGMesh_Analysis")
+wait_until(lambda: widget("FGMeshAnalysisMessage").kind == "error")
+look("analysis, out of date", "FGMeshMode", "FGMeshAnalysisMessage")
+panel_button("Cancel")
 return dict(cut=cut, contrasts=contrasts, plot=plot, bar=[looks.text_contrast(bar[: bar.shape[0] // 6]), *bar.shape[:2], scale])
 """
 

@@ -32,7 +32,7 @@ document.recompute()
 fresh_view(document)
 fgmesh.attach_material(part, "z/60", constituents=["Steel-Generic", "Aluminum-Generic"])
 seen = {}
-names = [f"FGMesh_{name}" for name in ("Material", "Preview", "Mesh", "Report", "Examples")]
+names = [f"FGMesh_{name}" for name in ("Material", "Preview", "Mesh", "Report", "Analysis", "Examples")]
 (actions,) = zip(*[FreeCADGui.Command.get(name).getAction() for name in names])
 seen["menu"] = [action.text().replace("&", "") for action in actions]
 seen["tips"] = [action.toolTip() for action in actions]
@@ -64,6 +64,12 @@ settle(0.3)
 seen["report"] = texts()
 picture(f"{pictures}/german-report.png")
 panel_button("Close")
+select(document.FGMesh)
+command("FGMesh_Analysis")
+wait_until(lambda: "Materialien" in widget("FGMeshAnalysisMessage").text())
+seen["analysis"] = texts()
+picture(f"{pictures}/german-analysis.png")
+panel_button("Cancel")
 
 def fill(dialog):
     show_preference_page(dialog, "FGMesh")
@@ -90,9 +96,11 @@ def translations(source_dir):
 def test_menu_panels_and_preferences_are_german(drive, preferences, translations):
     answer = drive(LOOK, settings=preferences(General={"Language": "German", "UseLocaleFormatting": 1}))
     seen = answer["seen"]
-    commands = [f"FGMesh_{name}" for name in ("Material", "Preview", "Mesh", "Report", "Examples")]
+    commands = [
+        f"FGMesh_{name}" for name in ("Material", "Preview", "Mesh", "Report", "Analysis", "Examples")
+    ]
     german = [[done for (context, _), done in translations.items() if context == name] for name in commands]
-    assert [text in texts for text, texts in zip(seen["menu"], german)] == [True] * 5, seen["menu"]
+    assert [text in texts for text, texts in zip(seen["menu"], german)] == [True] * 6, seen["menu"]
     for tip, texts in zip(seen["tips"], german):
         assert any(text in tip for text in texts), tip
     for place, title in {
@@ -100,6 +108,7 @@ def test_menu_panels_and_preferences_are_german(drive, preferences, translations
         "preview": "Material von Cylinder",
         "mesh": "Netz von Cylinder",
         "report": "Bericht zu FGMesh",
+        "analysis": "Analyse von FGMesh",
         "preferences": "Vernetzungsläufe",
     }.items():
         assert title in seen[place], seen[place]
