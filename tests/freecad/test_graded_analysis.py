@@ -2,6 +2,7 @@
 """Making, completing and solving graded analyses; what becomes of them when something changes; wrong use."""
 import re
 import shutil
+import subprocess
 
 import exact_problems
 import FreeCAD
@@ -356,6 +357,49 @@ def test_fractions_and_properties_are_fields_of_the_results(analysis, bar, fgmes
         assert len(x) == 51
         # Linear between the nodes of a mesh of size 1.
         assert found == pytest.approx(exact(x), rel=0.02, abs=0.005)
+
+
+@pytest.mark.parametrize("second_order", [False, True])
+@pytest.mark.parametrize("extension", ["vtu", "msh"])
+def test_files_for_other_programs(extension, second_order, bar, fgmesh, tmp_path):
+    """Read by meshio; .msh by gmsh itself, too, which gives back as many tetrahedra."""
+    import meshio
+
+    from freecad.fgmesh.fem.export import export_properties
+
+    if second_order:
+        bar.mesh.SecondOrder = True
+        fgmesh.generate(bar.mesh)
+    path = tmp_path / f"bar.{extension}"
+    export_properties(bar.mesh, path, {"YoungsModulus": "voigt"})
+    read = meshio.read(path)
+    (tets,) = (block.data for block in read.cells if block.type.startswith("tetra"))
+    assert tets.shape == (bar.mesh.TetCount, 10 if second_order else 4)
+    exact = 1000 * np.exp(np.log(8) * read.points[:, 0] / 10)
+    assert read.point_data["YoungsModulus (MPa)"].ravel() == pytest.approx(exact, rel=1e-6)
+    assert read.point_data["fraction_1"].ravel() == pytest.approx((exact / 1000 - 1) / 7, abs=1e-6)
+    centres = read.points[tets[:, :4]].mean(axis=1)[:, 0]
+    in_tets = read.cell_data["YoungsModulus (MPa)"][0].ravel()
+    assert in_tets == pytest.approx(1000 * np.exp(np.log(8) * centres / 10), rel=0.03)
+    assert (np.ravel(read.cell_data["solid"][0]) == 1).all()
+    if extension == "msh":
+        said = subprocess.run(
+            ["gmsh", str(path), "-0", "-o", str(tmp_path / "again.msh")], capture_output=True, text=True
+        )
+        assert said.returncode == 0 and "Error" not in said.stdout + said.stderr
+        again = meshio.read(tmp_path / "again.msh")
+        assert (
+            sum(len(block.data) for block in again.cells if block.type.startswith("tetra"))
+            == bar.mesh.TetCount
+        )
+
+
+def test_files_of_no_known_kind(bar, tmp_path, core):
+    from freecad.fgmesh.fem.export import export_properties
+
+    with pytest.raises(core.InvalidInput, match=".vtu, .msh"):
+        export_properties(bar.mesh, tmp_path / "bar.stl")
+    assert not list(tmp_path.iterdir())
 
 
 def test_a_mesh_is_in_one_analysis(analysis, bar, fgmesh, core):

@@ -71,6 +71,7 @@ class Region(NamedTuple):
 class GradedMesh(NamedTuple):
     points: np.ndarray  # (n, 3), mm; node i + 1 of the Fem mesh at i
     tets: np.ndarray  # (m, 4 or 10), 0-based
+    solids: np.ndarray  # (m,) 0-based solid of each tetrahedron
     regions: list
 
     def in_tets(self, laws):
@@ -84,6 +85,25 @@ class GradedMesh(NamedTuple):
             for name, column in values.items():
                 column[region.tets] = properties[name]
         return values
+
+    def at_nodes(self, laws):
+        """{name: (n,)}: `fraction_1` ... and the properties, as named() names them. At an interface a node has the values
+        of one of the solids; NaN where a solid has not what others have."""
+        values = {}
+        for region in self.regions:
+            nodes = np.unique(self.tets[region.tets])
+            fractions = region.node_fractions(self.points, nodes)
+            found = {f"fraction_{number}": column for number, column in enumerate(fractions.T, 1)}
+            found.update(self.named(region.properties(fractions, laws)))
+            for name, column in found.items():
+                values.setdefault(name, np.full(len(self.points), np.nan))[nodes] = column
+        return values
+
+    @staticmethod
+    def named(properties):
+        """The same with the unit in each name, as "Density (t/mm^3)"."""
+        units = {name: constituents.UNITS[name] for name in properties}
+        return {f"{name} ({units[name]})" if units[name] else name: v for name, v in properties.items()}
 
     def first_fractions(self):
         """(n,): the fraction of the first constituent at each node. Raises core.InvalidInput where that does not say
@@ -128,7 +148,7 @@ def graded_mesh(mesh):
         if len(chosen):
             material = core.read_references(material_of(owner, placement))
             regions.append(Region(owner, material, _cards(owner), chosen, tets[chosen, :4]))
-    return GradedMesh(points, tets, regions)
+    return GradedMesh(points, tets, solids, regions)
 
 
 def check_current(mesh):

@@ -4,12 +4,10 @@ import tempfile
 from pathlib import Path
 
 import Fem
-import numpy as np
 
 from freecad.fgmesh import core
 from freecad.fgmesh.fem.graded_fields import graded_mesh
 from freecad.fgmesh.fem.graded_material import is_graded_material, request_of
-from freecad.fgmesh.model import constituents
 from freecad.fgmesh.model.transaction import transaction
 
 _RESULT = "GradedResult"
@@ -36,7 +34,7 @@ def add_fields(result):
         path = str(Path(folder) / "result.vtu")
         Fem.writeResult(path, result)
         mesh = meshio.read(path)
-        mesh.point_data.update(_at_nodes(fields, request_of(graded).laws()))
+        mesh.point_data.update(fields.at_nodes(request_of(graded).laws()))
         mesh.write(path)
         with transaction(result.Document, "Add graded fields"):
             remove_fields(analysis, result)
@@ -55,18 +53,3 @@ def remove_fields(analysis, result=None):
     for thing in analysis.Group:
         if _RESULT in thing.PropertiesList and result in (None, getattr(thing, _RESULT)):
             thing.Document.removeObject(thing.Name)
-
-
-def _at_nodes(fields, laws):
-    """{name: (n,)}; NaN where a region has not what others have."""
-    values = {}
-    for region in fields.regions:
-        nodes = np.unique(fields.tets[region.tets])
-        fractions = region.node_fractions(fields.points, nodes)
-        found = {f"fraction_{number}": column for number, column in enumerate(fractions.T, 1)}
-        for name, column in region.properties(fractions, laws).items():
-            unit = constituents.UNITS[name]
-            found[f"{name} ({unit})" if unit else name] = column
-        for name, column in found.items():
-            values.setdefault(name, np.full(len(fields.points), np.nan))[nodes] = column
-    return values
