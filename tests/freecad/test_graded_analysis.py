@@ -114,6 +114,36 @@ def test_undo_is_one_step(bar, fgmesh):
     assert {one.Name for one in bar.document.Objects} == before
 
 
+def test_tables_are_as_fine_as_the_law_bends():
+    """Reuss's mean of 1:1000, interpolated as CalculiX does; a straight law needs few rows."""
+    from freecad.fgmesh.fem.graded_solver import table_rows
+
+    def reuss(fractions):
+        return {
+            "YoungsModulus": 1 / (fractions / 1000 + (1 - fractions)),
+            "PoissonRatio": 0.3 + 0 * fractions,
+        }
+
+    fractions, properties = table_rows(reuss)
+    places = np.linspace(0, 1, 100003)
+    exact = reuss(places)["YoungsModulus"]
+    assert np.interp(places, fractions, properties["YoungsModulus"]) == pytest.approx(exact, rel=2e-5)
+    assert len(fractions) < 3000 and (np.diff(fractions) > 0).all()
+    straight, _ = table_rows(lambda fractions: {"YoungsModulus": 1 + fractions})
+    assert len(straight) < 40
+
+
+def test_a_graded_material_takes_the_place_of_a_lost_mesh(analysis, bar, fgmesh):
+    made = analysis(bins=3)
+    bar.document.removeObject(bar.mesh.Name)
+    bar.document.recompute()
+    assert graded_of(made).Status == "out of date: the mesh is gone"
+    other = fgmesh.make_mesh(bar.document, bar.part)
+    fgmesh.generate(other)
+    fgmesh.make_analysis(other, bins=3, analysis=made)
+    assert (graded_of(made).Status, graded_of(made).Mesh) == ("ok", other)
+
+
 def test_frequencies_of_both_modes_are_close(analysis, bar, fgmesh):
     """Bins and continuous are two ways to the same; the first frequencies of a bar of 1:8 in modulus."""
     frequencies = []

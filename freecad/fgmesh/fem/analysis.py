@@ -42,6 +42,7 @@ def make_analysis(mesh, mode="bins", bins=20, mixing=None, allowed_error=0.0, an
         if graded is None:
             graded = new_graded_material(document, mesh)
             analysis.addObject(graded)
+        graded.Mesh = mesh
         set_request(graded, request)
         fill(graded)
         _provide_solver(analysis, mode)
@@ -90,6 +91,7 @@ def _other_meshes(analysis, mesh):
 
 def _provide_solver(analysis, mode):
     """Has `analysis` a solver object for `mode`, with the settings of one for the other mode."""
+    # Only here: it loads the solver framework of the FEM workbench.
     from freecad.fgmesh.fem.graded_solver import is_graded_solver, make_graded_solver
 
     solvers = solvers_of(analysis)

@@ -17,9 +17,10 @@ from freecad.fgmesh.fem.graded_fields import graded_mesh
 from freecad.fgmesh.fem.graded_material import check_filled, is_graded_material, request_of
 from freecad.fgmesh.model import presentation
 
-_ROWS = 201
-"""Of a table. Between two of them a property is linear: even one over 1:100 by Reuss's mean is then right to 1e-4 or
-so where it bends most."""
+_FIRST_ROWS = 33
+_MOST_ROUNDS = 12
+_TABLE_ERROR = 1e-5
+"""Of a table: halfway between two rows, between which CalculiX interpolates linearly, relative to the property."""
 
 _ANALYSES = ("static", "frequency", "buckling", "check")
 _PROPERTIES = (("*ELASTIC", ("YoungsModulus", "PoissonRatio")), ("*DENSITY", ("Density",)))
@@ -137,8 +138,9 @@ def _rewrite(old, deck, materials, temperatures):
 
 def _table(region, laws):
     """{keyword: the lines of its table over the fraction of the first constituent}."""
-    fractions = np.linspace(0, 1, _ROWS)
-    properties = region.properties(np.column_stack([fractions, 1 - fractions]), laws)
+    fractions, properties = table_rows(
+        lambda fractions: region.properties(np.column_stack([fractions, 1 - fractions]), laws)
+    )
     tables = {}
     for keyword, names in _PROPERTIES:
         if all(name in properties for name in names):
@@ -147,6 +149,30 @@ def _table(region, laws):
                 ",".join(f"{value:.13G}" for value in row) + "\n" for row in rows.tolist()
             )
     return tables
+
+
+def table_rows(properties_at):
+    """Fractions (n,) from 0 to 1, and {property: (n,)} there, as many as linear interpolation needs.
+
+    properties_at: a function that gives {property: (n,)} at fractions (n,).
+    """
+    fractions = np.linspace(0, 1, _FIRST_ROWS)
+    properties = properties_at(fractions)
+    for _ in range(_MOST_ROUNDS):
+        middles = (fractions[1:] + fractions[:-1]) / 2
+        there = properties_at(middles)
+        wrong = np.zeros(len(middles), bool)
+        for name, values in there.items():
+            ends = properties[name]
+            wrong |= np.abs(values - (ends[1:] + ends[:-1]) / 2) > _TABLE_ERROR * np.abs(values)
+        if not wrong.any():
+            break
+        places = np.flatnonzero(wrong) + 1
+        fractions = np.insert(fractions, places, middles[wrong])
+        properties = {
+            name: np.insert(values, places, there[name][wrong]) for name, values in properties.items()
+        }
+    return fractions, properties
 
 
 def _graded(analysis):

@@ -15,8 +15,6 @@ from freecad.fgmesh.fem.graded_material import check_filled, is_graded_material
 from freecad.fgmesh.fem.graded_solver import check_analysis, grade_deck, is_graded_solver
 from freecad.fgmesh.fem.result_fields import add_fields, remove_fields
 
-POLL_SECONDS = 0.1
-
 
 class SolverFailed(core.Error):
     """CalculiX is missing, or has not come to an end: the message has its own words. `log`: all that it printed."""
