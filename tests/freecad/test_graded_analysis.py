@@ -281,15 +281,25 @@ def test_missing_calculix_is_told(analysis, fgmesh, monkeypatch):
         fgmesh.solve(made)
 
 
-def test_words_of_calculix_are_told(analysis, bar, fgmesh, tmp_path):
+def test_words_of_calculix_are_told(analysis, core, tmp_path):
     """Elements without a material."""
     from freecad.fgmesh.fem import solving
 
     deck = solving.write_deck(analysis(), tmp_path)
     deck.write_text(re.sub(r"\*SOLID SECTION.*\n", "", deck.read_text()))
     with pytest.raises(solving.SolverFailed, match=r"\*ERROR") as told:
-        solving._run(shutil.which("ccx"), deck)
+        solving._run(shutil.which("ccx"), deck, core.RunControl())
     assert "CalculiX" in told.value.log
+
+
+def test_a_cancelled_run_leaves_the_results_of_before(analysis, bar, fgmesh, core):
+    made = analysis()
+    (before,) = fgmesh.solve(made)
+    control = core.RunControl()
+    control.cancel()
+    with pytest.raises(core.Cancelled, match="CalculiX was stopped"):
+        fgmesh.solve(made, control=control)
+    assert before in made.Group and tip(before) > 0
 
 
 def test_thermal_analysis_needs_bins(analysis, bar, fgmesh, core):

@@ -4,6 +4,8 @@ import os
 import re
 import shutil
 import subprocess
+import tempfile
+import time
 from pathlib import Path
 
 import FreeCAD
@@ -14,6 +16,9 @@ from freecad.fgmesh.fem.fem_workbench import module
 from freecad.fgmesh.fem.graded_material import check_filled, is_graded_material
 from freecad.fgmesh.fem.graded_solver import check_analysis, grade_deck, is_graded_solver
 from freecad.fgmesh.fem.result_fields import add_fields, remove_fields
+from freecad.fgmesh.model import presentation
+
+POLL_SECONDS = 0.1
 
 
 class SolverFailed(core.Error):
@@ -24,13 +29,13 @@ class SolverFailed(core.Error):
         self.log = log
 
 
-def solve(analysis, directory=None):
+def solve(analysis, directory=None, control=None):
     """Writes the deck of `analysis`, as make_analysis() makes it, runs CalculiX and puts the results into the document,
     each with a pipeline for post-processing that has fractions and properties, too.
 
-    directory: where deck and results are written; None: where the preferences of the FEM workbench have it. Blocks.
-    Returns the list of new result objects. Raises core.InvalidInput where something is missing or out of date;
-    SolverFailed with the words of CalculiX.
+    directory: where deck and results are written; None: where the preferences of the FEM workbench have it. Blocks;
+    Esc, or `control`, a core.RunControl in the hands of another thread, stops CalculiX. Returns the list of new result objects. Raises core.InvalidInput where something is missing or out of date;
+    SolverFailed with the words of CalculiX; core.Cancelled, and the results are those of before.
     """
     solver = _solver(analysis)
     graded = next(filter(is_graded_material, analysis.Group), None)
@@ -40,7 +45,7 @@ def solve(analysis, directory=None):
         check_analysis(analysis, solver)
     program = _program()
     deck = write_deck(analysis, directory)
-    _run(program, deck)
+    _run(program, deck, control or core.RunControl())
     return _read_results(analysis, solver, deck)
 
 
@@ -92,25 +97,37 @@ def _program():
     return found
 
 
-def _run(program, deck):
+def _run(program, deck, control):
     for ending in (".frd", ".dat"):  # those of an earlier run would pass for results
         deck.with_suffix(ending).unlink(missing_ok=True)
     environment = {"OMP_NUM_THREADS": str(os.cpu_count() or 1), **os.environ}
-    done = subprocess.run(
-        [program, "-i", deck.stem],
-        cwd=deck.parent,
-        env=environment,
-        capture_output=True,
-        text=True,
-        errors="replace",
-    )
-    log = done.stdout + done.stderr
+    with tempfile.TemporaryFile(
+        "w+", errors="replace"
+    ) as output:  # a pipe would have to be emptied meanwhile
+        process = subprocess.Popen(
+            [program, "-i", deck.stem],
+            cwd=deck.parent,
+            env=environment,
+            stdout=output,
+            stderr=subprocess.STDOUT,
+        )
+        with process, presentation.progress("Solving") as show:
+            try:
+                while process.poll() is None and not control.cancelled():
+                    show(control)
+                    time.sleep(POLL_SECONDS)
+            finally:
+                process.kill()
+        if control.cancelled():
+            raise core.Cancelled("CalculiX was stopped: the results are those of before")
+        output.seek(0)
+        log = output.read()
     errors = re.findall(r"\*ERROR.*(?:\n(?! *\*).*\S.*)*", log)
-    if done.returncode or errors or not deck.with_suffix(".frd").exists():
+    if process.returncode or errors or not deck.with_suffix(".frd").exists():
         FreeCAD.Console.PrintError(log[-20000:])
         told = (
             " ".join(" ".join(errors[:3]).split())
-            or f"it ended with {done.returncode} and no word of an error"
+            or f"it ended with {process.returncode} and no word of an error"
         )
         raise SolverFailed(
             f"CalculiX has failed: {told}. The deck is {deck}; all it said is in the report view", log

@@ -8,7 +8,7 @@ def no_view(thing):
 
 
 @contextlib.contextmanager
-def no_progress():
+def no_progress(doing="Meshing"):
     """Gives a function to be called now and then with the core.RunControl of a run."""
     yield lambda control: None
 

@@ -7,13 +7,13 @@ import FreeCAD
 
 
 @contextlib.contextmanager
-def progress():
+def progress(doing="Meshing"):
     """As presentation.no_progress; the function keeps FreeCAD's windows drawn, too."""
     if threading.current_thread() is not threading.main_thread():
         yield lambda control: None
         return
     indicator = FreeCAD.Base.ProgressIndicator()
-    indicator.start("Meshing (Esc cancels)", 0)
+    indicator.start(f"{doing} (Esc cancels)", 0)
 
     def show(control):
         try:
