@@ -3,12 +3,10 @@
 import FreeCADGui
 from PySide import QtGui
 
-from freecad.fgmesh import core
 from freecad.fgmesh.fem.fem_workbench import module
-from freecad.fgmesh.fem.result_fields import add_fields
 from freecad.fgmesh.model.stateless import Stateless
 from freecad.fgmesh.view import icon
-from freecad.fgmesh.view.selection import run_on
+from freecad.fgmesh.view.double_click import run_on
 from freecad.fgmesh.view.texts import translate
 
 
@@ -32,6 +30,9 @@ class GradedMaterialView(Stateless):
 
 
 def _add_fields(graded):
+    from freecad.fgmesh import core  # only here, so that FreeCAD starts quickly
+    from freecad.fgmesh.fem.result_fields import add_fields
+
     analysis = graded.getParentGroup()
     results = [one for one in analysis.Group if one.isDerivedFrom("Fem::FemResultObject")] if analysis else []
     try:

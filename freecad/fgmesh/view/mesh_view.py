@@ -5,7 +5,7 @@ from PySide import QtGui
 
 from freecad.fgmesh.model.stateless import Stateless
 from freecad.fgmesh.view import icon
-from freecad.fgmesh.view.selection import run_on
+from freecad.fgmesh.view.double_click import run_on
 from freecad.fgmesh.view.texts import translate
 
 

@@ -37,18 +37,6 @@ def solid_owner(thing):
     return thing if getattr(shape, "Solids", None) else None
 
 
-def run_on(thing, command):
-    """Selects `thing` and runs a command of ours, which FreeCAD knows once the workbench has been active. False where a
-    panel is open."""
-    if FreeCADGui.Control.activeDialog():
-        return False
-    FreeCADGui.activateWorkbench("FGMeshWorkbench")
-    FreeCADGui.Selection.clearSelection()
-    FreeCADGui.Selection.addSelection(thing)
-    FreeCADGui.runCommand(command)
-    return True
-
-
 class Picker:
     """Waits for the user to click on something in the 3D view or the tree, once."""
 
