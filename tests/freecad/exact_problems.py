@@ -18,7 +18,7 @@ class Bench:
         self.document, self.fgmesh, self.shape = document, fgmesh, shape
         self.part = document.addObject("Part::Feature", "Part")
         self.part.Shape = shape
-        cards = [self._card(name, modulus, poisson) for name, modulus in zip(("Hard", "Soft"), stiffness)]
+        cards = [self.card(name, modulus, poisson) for name, modulus in zip(("Hard", "Soft"), stiffness)]
         document.recompute()
         fgmesh.attach_material(self.part, formula, constituents=cards)
         self.mesh = fgmesh.make_mesh(document, self.part)
@@ -44,7 +44,7 @@ class Bench:
             values.update({f"{axis}Free": False, f"{axis}Fix": True})
         self.constrain("Displacement", places, **values)
 
-    def _card(self, name, modulus, poisson):
+    def card(self, name, modulus, poisson):
         """Of a conductivity proportional to its modulus."""
         import ObjectsFem
 

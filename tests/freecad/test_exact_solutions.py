@@ -64,9 +64,8 @@ def test_displacements(name, mode, second_order, gate, solved):
 
 def test_conduction(solved):
     """Temperatures, which need a thermomechanical analysis: in bins."""
-    result, points, exact = solved("conduction", "bins", kind="thermomech", MaxSize=0.6)
+    result, _, exact = solved("conduction", "bins", kind="thermomech", MaxSize=0.6)
     assert np.array(result.Temperature) == pytest.approx(exact, abs=0.3)
-    assert exact[np.abs(points[:, 0] - 5).argmin()] == pytest.approx(73.88, abs=5)
 
 
 def test_the_beam_of_the_examples(source_dir, document, fgmesh, tmp_path, monkeypatch):

@@ -157,8 +157,8 @@ def test_frequencies_of_both_modes_are_close(analysis, bar, fgmesh):
     assert frequencies[1] == pytest.approx(frequencies[0], rel=0.03)
 
 
-def test_weight_of_a_graded_density(document, fgmesh):
-    """A column under its own weight: the reaction is its mass times g, the mass that of the mean density."""
+def test_mass_of_a_graded_density(document, fgmesh):
+    """That of the mean density, in the tetrahedra and, for self-weight, in the materials of the bins."""
     bench, _ = exact_problems.exponential_bar(document, fgmesh, MaterialThreshold=0.3, MaxSize=1)
     soft = document.getObject("Soft")
     soft.Material = {**soft.Material, "Density": "1000 kg/m^3"}
@@ -187,7 +187,7 @@ def test_weight_of_a_graded_density(document, fgmesh):
 def test_three_constituents(document, fgmesh, core):
     """k = 3, of which the third leaves: bins know them, the continuous mode refuses."""
     bench, _ = exact_problems.exponential_bar(document, fgmesh, MaterialThreshold=0.3, MaxSize=1)
-    third = bench._card("Third", 500.0, 0.2)
+    third = bench.card("Third", 500.0, 0.2)
     hard, soft = (document.getObject(name) for name in ("Hard", "Soft"))
     fgmesh.attach_material(bench.part, ["x/20", "0.4*y^2"], constituents=[hard, soft, third])
     fgmesh.generate(bench.mesh)

@@ -18,8 +18,8 @@ exactly (Hammer, Marlowe and Stroud, Mathematical Tables and Other Aids to Compu
 REQUIRED = ("YoungsModulus", "PoissonRatio")
 """What no analysis of a solid does without."""
 
-_LEAST = 1e-9
-"""A fraction further outside of [0, 1] than rounding goes is not silently moved into it."""
+_ROUNDING = 1e-9
+"""How far outside of [0, 1] a fraction may be; more is not silently moved into it."""
 
 _JUMP = 1e-6
 """Of a fraction at a node, between one solid and another."""
@@ -57,7 +57,7 @@ class Region(NamedTuple):
             raise core.InvalidInput(f"{self.owner.Label} ({names}): {error}") from None
 
     def _checked(self, fractions):
-        wrong = ~(np.abs(fractions - 0.5) <= 0.5 + _LEAST).all(axis=1)
+        wrong = ~(np.abs(fractions - 0.5) <= 0.5 + _ROUNDING).all(axis=1)
         if wrong.any():
             row = ", ".join(f"{fraction:.4g}" for fraction in fractions[wrong][0])
             raise core.InvalidInput(
