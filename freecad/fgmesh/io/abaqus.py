@@ -13,34 +13,38 @@ def write_abaqus(result, path):
     (TYPE=ELEMENT), for pressures. The boundary triangles and the edges are no elements of the deck: CalculiX
     would take them for shells and beams.
     """
-    tets = np.asarray(result.tets)
     with open(path, "w", encoding="ascii") as file:
-        file.write("** FGMesh, lengths in mm\n*NODE, NSET=AllNodes\n")
-        _write_rows(
-            file,
-            "%d, %.17g, %.17g, %.17g",
-            [np.arange(1, len(result.points) + 1), *np.asarray(result.points).T],
-        )
-        nodes = tets.shape[1]  # in the order of VTK, which is that of these elements
-        file.write(f"*ELEMENT, TYPE=C3D{nodes}, ELSET=AllSolids\n")
-        _write_rows(file, "%d" + ", %d" * nodes, [np.arange(1, len(tets) + 1), *(tets.T + 1)])
+        write_elements(file, result.points, result.tets)
         for name, elements in members("Solid", result.tet_solids):
-            file.write(f"*ELSET, ELSET={name}\n")
-            _write_numbers(file, elements + 1)
+            write_set(file, "ELSET", name, elements)
         for name, nodes in node_groups(result):
-            file.write(f"*NSET, NSET={name}\n")
-            _write_numbers(file, nodes + 1)
+            write_set(file, "NSET", name, nodes)
         element, side = element_sides(result)
         for name, triangles in face_groups(result):
             file.write(f"*SURFACE, NAME={name}, TYPE=ELEMENT\n")
-            _write_rows(file, "%d, S%d", [element[triangles] + 1, side[triangles] + 1])
+            write_rows(file, "%d, S%d", [element[triangles] + 1, side[triangles] + 1])
 
 
-def _write_rows(file, form, columns):
-    file.write("\n".join(form % row for row in zip(*(column.tolist() for column in columns))) + "\n")
+def write_elements(file, points, tets):
+    """The nodes, points (n, 3) in mm, NSET AllNodes, and the tetrahedra (m, 4 or 10), 0-based, ELSET AllSolids."""
+    points, tets = np.asarray(points), np.asarray(tets)
+    file.write("** FGMesh, lengths in mm\n*NODE, NSET=AllNodes\n")
+    write_rows(file, "%d, %.17g, %.17g, %.17g", [np.arange(1, len(points) + 1), *points.T])
+    nodes = tets.shape[1]  # in the order of VTK, which is that of these elements
+    file.write(f"*ELEMENT, TYPE=C3D{nodes}, ELSET=AllSolids\n")
+    write_rows(file, "%d" + ", %d" * nodes, [np.arange(1, len(tets) + 1), *(tets.T + 1)])
 
 
-def _write_numbers(file, numbers):
-    """At most 8 numbers a line: Abaqus allows 16, and short lines stay readable."""
-    text = [str(number) for number in numbers.tolist()]
+def write_set(file, kind, name, members):
+    """A set of elements or nodes, with kind "ELSET" or "NSET"; members: their 0-based numbers, an array.
+
+    At most 8 numbers a line: Abaqus allows 16, and short lines stay readable.
+    """
+    file.write(f"*{kind}, {kind}={name}\n")
+    text = [str(number) for number in (members + 1).tolist()]
     file.write(",\n".join(", ".join(text[i : i + 8]) for i in range(0, len(text), 8)) + "\n")
+
+
+def write_rows(file, form, columns):
+    """A line of the format `form` for each row of the columns."""
+    file.write("\n".join(form % row for row in zip(*(column.tolist() for column in columns))) + "\n")
