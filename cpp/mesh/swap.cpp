@@ -7,6 +7,8 @@ namespace {
 /// A swap must gain at least this part of the cost, or rounding makes swaps go in circles.
 constexpr double kLeastGain = 1e-9;
 
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
 bool is_gain(double before, double after) {
   if (std::isinf(before)) return after < before;
   return after < before - kLeastGain * std::abs(before);
@@ -23,6 +25,18 @@ bool same_sense(const Tet& tet, const std::array<int, 4>& order) {
 
 }  // namespace
 
+double Swapper::cost_of(int t) {
+  if (t >= static_cast<int>(costs_.size())) return objective_.cost(state_.complex.tet(t).vertex);
+  if (std::isnan(costs_[t])) costs_[t] = objective_.cost(state_.complex.tet(t).vertex);
+  return costs_[t];
+}
+
+void Swapper::replace(const std::vector<int>& cavity, const std::vector<LabelledFacet>& facets) {
+  state_.complex.replace(cavity, filling_, facets);
+  for (int t : state_.complex.created())
+    if (t < static_cast<int>(costs_.size())) costs_[t] = kUnknown;
+}
+
 bool Swapper::remove_ringed_edge(int a, int b) {
   TetComplex& complex = state_.complex;
   const int n = static_cast<int>(ring_.link.size());
@@ -33,7 +47,7 @@ bool Swapper::remove_ringed_edge(int a, int b) {
   for (int around : ring_.tet) {
     const Tet& tet = complex.tet(around);
     if (tet.solid != solid) return remove_interface_edge(a, b);
-    const double cost = objective_.cost(tet.vertex);
+    const double cost = cost_of(around);
     before = around == ring_.tet.front() ? cost : objective_.join(before, cost);
   }
   int label = 0;
@@ -62,7 +76,7 @@ bool Swapper::remove_ringed_edge(int a, int b) {
   }
   filling_.clear();
   fill_polygon(0, n - 1, a, b, solid);
-  complex.replace(ring_.tet, filling_, facets);
+  replace(ring_.tet, facets);
   return true;
 }
 
@@ -97,10 +111,10 @@ bool Swapper::remove_interface_edge(int a, int b) {
   if (!ring_.closed || complex.crease(a, b)) return false;
   // The two facets of the interface at the edge: facet i stands before tetrahedron i, at link i.
   std::vector<int> facets, labels;
-  double before = objective_.cost(complex.tet(ring_.tet.front()).vertex);
+  double before = cost_of(ring_.tet.front());
   for (int i = 0; i < n; ++i) {
     const Tet& tet = complex.tet(ring_.tet[i]);
-    if (i > 0) before = objective_.join(before, objective_.cost(tet.vertex));
+    if (i > 0) before = objective_.join(before, cost_of(ring_.tet[i]));
     const int label = tet.label[tet.index_of(ring_.link[(i + 1) % n])];
     if (!label) continue;
     facets.push_back(i);
@@ -126,7 +140,7 @@ bool Swapper::remove_interface_edge(int a, int b) {
   filling_.clear();
   fill_polygon(0, middle, a, b, first_solid);
   fill_polygon(middle, n, a, b, second_solid);
-  complex.replace(ring_.tet, filling_, {{{a, c, d}, label}, {{b, c, d}, label}});
+  replace(ring_.tet, {{{a, c, d}, label}, {{b, c, d}, label}});
   return true;
 }
 
@@ -206,7 +220,7 @@ bool Swapper::remove_face(int t, int face) {
   for (int v : beyond.vertex)
     if (v != p && v != q && v != r) far = v;
   const int near = tet.vertex[face];
-  const double before = objective_.join(objective_.cost(tet.vertex), objective_.cost(beyond.vertex));
+  const double before = objective_.join(cost_of(t), cost_of(other));
   const std::array<std::array<int, 4>, 3> made = {{{near, far, p, q}, {near, far, q, r}, {near, far, r, p}}};
   double after = objective_.cost(made[0]);
   for (int i = 1; i < 3 && is_gain(before, after); ++i)
@@ -216,7 +230,7 @@ bool Swapper::remove_face(int t, int face) {
   const int solid = tet.solid;
   filling_.clear();
   for (const auto& vertex : made) filling_.push_back({vertex, solid});
-  complex.replace({t, other}, filling_, {});
+  replace({t, other}, {});
   return true;
 }
 
@@ -232,6 +246,7 @@ bool Swapper::improve(int t) {
 int Swapper::pass(RunControl* control) {
   TetComplex& complex = state_.complex;
   int count = 0;
+  costs_.assign(complex.slots(), kUnknown);
   for (int t = 0; t < complex.slots(); ++t) {
     if (control && t % 1024 == 0) control->check();
     for (int face = 0; face < 4 && complex.tet(t).alive(); ++face)
@@ -239,11 +254,10 @@ int Swapper::pass(RunControl* control) {
     for (int e = 0; e < 6 && complex.tet(t).alive(); ++e) {
       const int a = complex.tet(t).vertex[kEdgeVertices[e][0]],
                 b = complex.tet(t).vertex[kEdgeVertices[e][1]];
-      complex.ring(a, b, t, ring_);
-      // Each edge once: from the first of its tetrahedra.
-      if (*std::min_element(ring_.tet.begin(), ring_.tet.end()) == t && remove_ringed_edge(a, b)) ++count;
+      if (complex.ring_of_first(a, b, t, ring_) && remove_ringed_edge(a, b)) ++count;
     }
   }
+  costs_.clear();
   return count;
 }
 

@@ -83,6 +83,9 @@ class Swapper {
   bool improve(int t);
 
  private:
+  double cost_of(int t);
+  /// Replaces `cavity` by filling_.
+  void replace(const std::vector<int>& cavity, const std::vector<LabelledFacet>& facets);
   bool remove_ringed_edge(int a, int b);
   bool remove_interface_edge(int a, int b);
   double best_filling(int from, int to, int a, int b);
@@ -97,6 +100,7 @@ class Swapper {
   MeshState& state_;
   const SwapObjective& objective_;
 
+  std::vector<double> costs_;  // of the tetrahedra during a pass, NaN where not known yet
   EdgeRing ring_;
   double best_[kLargestRing + 1][kLargestRing + 1];
   int split_[kLargestRing + 1][kLargestRing + 1];

@@ -116,51 +116,55 @@ void TetComplex::star(int v, std::vector<int>& star) const {
   }
 }
 
-void TetComplex::ring(int a, int b, int t, EdgeRing& ring) const {
-  ring.tet.clear();
-  ring.link.clear();
-  // Walk one way; where that ends at the boundary, start there and walk the whole ring the other way.
-  const auto others = [&](int tet_index) {
-    std::array<int, 2> found{};
-    int count = 0;
-    for (int v : tets_[tet_index].vertex)
-      if (v != a && v != b) found[count++] = v;
-    return found;
+template <class Accept>
+bool TetComplex::walk_ring(int a, int b, int t, EdgeRing& ring, const Accept& accept) const {
+  const int known = a ^ b;
+  const auto start_at = [&](int from) {
+    ring.tet.clear();
+    ring.link.assign(1, from);
   };
-  int current = t, came_from = others(t)[0];
-  ring.closed = false;
-  while (true) {
-    const std::array<int, 2> pair = others(current);
-    const int ahead = pair[0] == came_from ? pair[1] : pair[0];
-    const int next = tets_[current].neighbour[tets_[current].index_of(came_from)];
-    if (next == t) {
-      ring.closed = true;
-      break;
-    }
-    if (next < 0) {
-      came_from = ahead;
-      break;
-    }
-    came_from = ahead;
-    current = next;
-  }
-  if (ring.closed) {
-    current = t;
-    came_from = others(t)[0];
-  }
-  const int start = current;
-  ring.link.push_back(came_from);
+  // Steps over the face that `from` does not touch; gives the next tetrahedron and the vertex ahead.
+  const auto step = [&](int current, int from, int& ahead) {
+    const Tet& tet = tets_[current];
+    ahead = tet.vertex[0] ^ tet.vertex[1] ^ tet.vertex[2] ^ tet.vertex[3] ^ known ^ from;
+    return tet.neighbour[tet.index_of(from)];
+  };
+  int first = 0;
+  while (tets_[t].vertex[first] == a || tets_[t].vertex[first] == b) ++first;
+  int current = t, from = tets_[t].vertex[first], ahead = -1;
+  // Walk one way; where that ends at the boundary, start there and walk the whole ring the other way.
+  start_at(from);
+  ring.closed = true;
   while (true) {
     ring.tet.push_back(current);
-    const std::array<int, 2> pair = others(current);
-    const int ahead = pair[0] == came_from ? pair[1] : pair[0];
-    const int next = tets_[current].neighbour[tets_[current].index_of(came_from)];
-    if (ring.closed && next == start) break;
-    ring.link.push_back(ahead);
+    const int next = step(current, from, ahead);
+    if (next == t) return true;
     if (next < 0) break;
-    came_from = ahead;
+    if (!accept(next)) return false;
+    ring.link.push_back(ahead);
+    from = ahead;
     current = next;
   }
+  ring.closed = false;
+  from = ahead;
+  start_at(from);
+  while (true) {
+    ring.tet.push_back(current);
+    const int next = step(current, from, ahead);
+    ring.link.push_back(ahead);
+    if (next < 0) return true;
+    if (!accept(next)) return false;
+    from = ahead;
+    current = next;
+  }
+}
+
+void TetComplex::ring(int a, int b, int t, EdgeRing& ring) const {
+  walk_ring(a, b, t, ring, [](int) { return true; });
+}
+
+bool TetComplex::ring_of_first(int a, int b, int t, EdgeRing& ring) const {
+  return walk_ring(a, b, t, ring, [t](int other) { return other >= t; });
 }
 
 int TetComplex::find_edge(int a, int b) const {

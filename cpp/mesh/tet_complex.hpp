@@ -75,6 +75,9 @@ class TetComplex {
 
   /// The ring of edge (a, b), which tetrahedron t has. Where solids touch along the edge, one part of it.
   void ring(int a, int b, int t, EdgeRing& ring) const;
+  /// The same if t is the first, by its slot, of the ring. Else false, and what `ring` holds is of no use:
+  /// who asks for the edges of all tetrahedra gets each ring once, and gives the others up early.
+  bool ring_of_first(int a, int b, int t, EdgeRing& ring) const;
 
   /// Some tetrahedron that has the edge (a, b); -1 where the mesh has no such edge.
   int find_edge(int a, int b) const;
@@ -127,6 +130,8 @@ class TetComplex {
     if (a > b) std::swap(a, b);
     return (static_cast<std::uint64_t>(a) << 32) | static_cast<std::uint32_t>(b);
   }
+  template <class Accept>
+  bool walk_ring(int a, int b, int t, EdgeRing& ring, const Accept& accept) const;
   int new_slot();
   void find_pinched();
   int hole_entry(std::array<int, 3> vertices);

@@ -42,7 +42,9 @@ def export_properties(mesh, path, mixing=None, most_bins=20, allowed_error=0.0):
     extension = path.suffix.lower()
     if extension not in [*_FORMATS, ".inp"]:
         known = ", ".join([*_FORMATS, ".inp"])
-        advice = "; as .med FreeCAD exports the mesh object itself, with its groups" if extension == ".med" else ""
+        advice = (
+            "; as .med FreeCAD exports the mesh object itself, with its groups" if extension == ".med" else ""
+        )
         raise core.InvalidInput(f"{str(path)!r}: properties go to files that end in {known}{advice}")
     laws = read_laws(mixing or {})
     fields = graded_mesh(mesh)
