@@ -197,7 +197,10 @@ void limit_growth(MeshState& state, double growth) {
       for (const auto& edge : kEdgeVertices) {
         Vertex &a = state.vertices[tet.vertex[edge[0]]], &b = state.vertices[tet.vertex[edge[1]]];
         Vertex &small = a.size < b.size ? a : b, &large = a.size < b.size ? b : a;
-        const double limit = small.size + growth * (a.position - b.position).norm();
+        // Most edges are far from the limit, and need no root.
+        const double more = large.size - small.size, squared = (a.position - b.position).squaredNorm();
+        if (more * more <= growth * growth * squared) continue;
+        const double limit = small.size + growth * std::sqrt(squared);
         if (large.size > limit * (1.0 + 1e-6)) {
           large.size = limit;
           changed = true;

@@ -24,15 +24,16 @@ struct MaterialValue {
 };
 
 /// A vertex of the mesh in progress, with all that is worth remembering about its place.
-struct Vertex {
+struct alignas(64) Vertex {
+  // What ODT smoothing asks of millions of tetrahedra comes first, in one line of the cache.
   Vec3 position = Vec3::Zero();
+  Vec3 stretch = Vec3::Zero();  ///< along the gradient, as long as the anisotropy there is above 1
+  double size = 0.0;            ///< mu, mm: see SizingField
   Carrier carrier;
   std::array<double, 2> parameter{};  ///< (u, v) on its face, or (t, -) on its edge
   Vec3 direction = Vec3::Zero();      ///< unit normal of its face, or tangent of its edge
   MaterialValue own;                  ///< on an interface that in the lowest solid
   std::vector<MaterialValue> others;  ///< on an interface: those in the other materials that meet there
-  double size = 0.0;                  ///< mu, mm: see SizingField
-  Vec3 stretch = Vec3::Zero();        ///< along the gradient, as long as the anisotropy there is above 1
   bool frozen = false;                ///< M-vertex: the geometry-oriented refinement leaves it in place
 
   bool junction =

@@ -29,11 +29,11 @@ class OdtEnergy final : public SwapObjective {
  public:
   /// Tetrahedra that vary by more than `most_variation` are not made.
   explicit OdtEnergy(const MeshState& state, double most_variation = std::numeric_limits<double>::infinity())
-      : state_(state), most_variation_(most_variation) {}
+      : state_(state), most_variation_(most_variation), is_limited_(std::isfinite(most_variation)) {}
   double cost(const std::array<int, 4>& v) const override {
     const auto& x = state_.vertices;
     const StretchedTet tet(x[v[0]], x[v[1]], x[v[2]], x[v[3]]);
-    if (!(tet.flatness() > 1e-6) || state_.variation(v) > most_variation_)
+    if (!(tet.flatness() > 1e-6) || (is_limited_ && state_.variation(v) > most_variation_))
       return std::numeric_limits<double>::infinity();
     return tet.volume * tet.squared_edges;
   }
@@ -43,6 +43,7 @@ class OdtEnergy final : public SwapObjective {
  private:
   const MeshState& state_;
   double most_variation_;
+  bool is_limited_;
 };
 
 /// The worst score of the tetrahedra.

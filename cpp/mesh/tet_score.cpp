@@ -2,6 +2,15 @@
 #include "mesh/tet_score.hpp"
 
 namespace fgmesh {
+namespace {
+
+constexpr double kDegrees = 180.0 / 3.14159265358979323846;
+constexpr double kRounding = 1e-12;  // of a cosine
+
+double angle_of(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)) * kDegrees; }
+double cosine_of(double angle) { return std::cos(angle / kDegrees); }
+
+}  // namespace
 
 QualityGoal quality_goal(double anisotropy) {
   QualityGoal goal;
@@ -10,6 +19,12 @@ QualityGoal quality_goal(double anisotropy) {
   goal.largest_angle = 180.0 - less * (180.0 - goal.largest_angle);
   return goal;
 }
+
+TetScore::TetScore(const MeshState& state, const QualityGoal& goal)
+    : state_(state),
+      goal_(goal),
+      cosine_of_smallest_(cosine_of(goal.smallest_angle) - kRounding),
+      cosine_of_largest_(cosine_of(goal.largest_angle) + kRounding) {}
 
 double TetScore::of(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& d) const {
   if (!is_positive(a.position, b.position, c.position, d.position)) {
@@ -24,9 +39,13 @@ double TetScore::of(const Vertex& a, const Vertex& b, const Vertex& c, const Ver
   constexpr double kMaterialFloor = 0.7;
   if (goal_.material && variation > state_.threshold())
     score = std::max(kMaterialFloor, state_.threshold() / variation);
-  const AngleRange angles = dihedral_range(a.position, b.position, c.position, d.position);
-  score = std::min(score, angles.smallest / goal_.smallest_angle);
-  return std::min(score, (180.0 - angles.largest) / (180.0 - goal_.largest_angle));
+  const std::array<double, 6> cosines = dihedral_cosines(a.position, b.position, c.position, d.position);
+  const auto [low, high] = std::minmax_element(cosines.begin(), cosines.end());
+  // Most meet both goals, which the cosines tell without their angles.
+  if (*high > cosine_of_smallest_) score = std::min(score, angle_of(*high) / goal_.smallest_angle);
+  if (*low < cosine_of_largest_)
+    score = std::min(score, (180.0 - angle_of(*low)) / (180.0 - goal_.largest_angle));
+  return score;
 }
 
 }  // namespace fgmesh

@@ -24,7 +24,7 @@ QualityGoal quality_goal(double anisotropy);
 /// oriented. Angles and material count alike, so that one acceptance test serves both.
 class TetScore {
  public:
-  TetScore(const MeshState& state, const QualityGoal& goal) : state_(state), goal_(goal) {}
+  TetScore(const MeshState& state, const QualityGoal& goal);
 
   double operator()(const std::array<int, 4>& v) const {
     const auto& x = state_.vertices;
@@ -48,6 +48,8 @@ class TetScore {
  private:
   const MeshState& state_;
   QualityGoal goal_;
+  // Beyond these cosines an angle misses its goal.
+  double cosine_of_smallest_, cosine_of_largest_;
 };
 
 }  // namespace fgmesh
