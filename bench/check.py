@@ -85,6 +85,10 @@ def slope_cubed(case, points, tets):
     return float((volumes(points, tets) * sum(case.slope_at(node) ** 3 for node in nodes)).sum() / 4)
 
 
+ANGLE_BINS = np.arange(0, 181, 5)
+"""Bounds of "dihedral_counts", degrees."""
+
+
 def measure(case, path, threshold):
     """The figures of a mesh file for the table; "faults" is empty where the mesh is sound."""
     points, tets, triangles = read(path)
@@ -96,6 +100,7 @@ def measure(case, path, threshold):
         "eta": len(tets) * threshold**3 / slope_cubed(case, points, tets),
         "dihedral_min": float(angles.min()),
         "dihedral_max": float(angles.max()),
+        "dihedral_counts": np.histogram(angles, ANGLE_BINS)[0].tolist(),
         "variation_mean": float(change.mean()),
         "variation_max": float(change.max()),
         "above": int((change > threshold * (1 + 1e-9)).sum()),

@@ -1,93 +1,114 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Ways to a mesh that keeps the threshold.
 
-Each takes a Case, the path of its BREP file, the threshold and the path of the mesh to write, and gives
-{"seconds": s}, without reading and writing files.
+Each takes a Job and what it gave for the same job before (or nothing), writes the mesh, and gives a dictionary of
+numbers: "seconds", without reading and writing files, and what else is its own. It raises programs.RivalFailed
+where it gets no such mesh.
 """
-import json
 import math
-import re
-import subprocess
 import time
+from dataclasses import dataclass, field
 from functools import partial
+from pathlib import Path
 
-import cases  # noqa: F401  puts FreeCAD on the path
+import cases
 import check
-import Part
+import programs
 from freecad.fgmesh import core
 from freecad.fgmesh.io.mesh_file import write_mesh
-
-GMSH = """
-Merge "{shape}";
-Mesh.Algorithm3D = 1;  // Delaunay
-Mesh.MeshSizeExtendFromBoundary = 0;
-Mesh.MeshSizeFromPoints = 0;
-Field[1] = MathEval;
-Field[1].F = "{constant:.17g}/max({slope}, {least_slope:.17g})";
-Background Field = 1;
-"""
-GMSH_SECONDS = re.compile(r"Done (?:meshing \dD|optimizing mesh) \(Wall ([-+.\de]+)s")
+from size_fields import MESHERS
 
 
-class RivalFailed(RuntimeError):
-    """A program ended without the mesh that it was asked for."""
+@dataclass
+class Job:
+    """What is to be meshed into which file."""
+
+    case: cases.Case
+    solid: object  # Part.Shape
+    shape: Path  # the same as a BREP file
+    threshold: float
+    limit: float  # of one run and of what a search spends, s
+    out: Path
+    diagonal: float = field(init=False)  # mm
+    largest: float = field(init=False)  # size that any element may have, as FGMesh's own default, mm
+    box: tuple = field(init=False)
+
+    def __post_init__(self):
+        box = self.solid.BoundBox
+        self.diagonal, self.largest = box.DiagonalLength, box.DiagonalLength / 8
+        self.box = (box.XMin, box.YMin, box.ZMin), (box.XMax, box.YMax, box.ZMax)
 
 
-def fgmesh(anisotropy, case, shape, threshold, out):
-    """FGMesh in this process, from the text of the B-Rep to the arrays."""
-    text = shape.read_bytes()
+def fgmesh(anisotropy, job, before=None):
+    """FGMesh in this process, from the text of the B-Rep to the arrays; and what it had expected."""
+    text, material = job.shape.read_bytes(), core.Material([job.case.formula])
+    options = core.MeshingOptions(
+        material_threshold=job.threshold, anisotropy=anisotropy, stop_after="material"
+    )
     start = time.perf_counter()
-    options = core.MeshingOptions(material_threshold=threshold, anisotropy=anisotropy, stop_after="material")
-    result = core.generate_mesh(text, core.Material([case.formula]), options)
+    result = core.generate_mesh(text, material, options)
     seconds = time.perf_counter() - start
-    write_mesh(result, out)
-    return {"seconds": seconds}
+    write_mesh(result, job.out)
+    return {
+        "seconds": seconds,
+        "expected_tets": core.estimate(text, material, options).tets,
+        **certificate(result),
+    }
 
 
-def local_strategy(edge, case, shape, threshold, out):
+def certificate(result):
+    """What proving the threshold between vertices took, where the report tells it."""
+    told = core.report(result).get("certified") or {}
+    return {"certificate_seconds": told["seconds"]} if "seconds" in told else {}
+
+
+def local_strategy(edge, job, before=None):
     """Steiner points without smoothing, on the "longest" or the "steepest" edge: see local_strategy.cpp."""
-    answer = _run([out.parent / "local_strategy", edge, shape, case.formula, threshold, out])
-    return {"seconds": json.loads(answer)["seconds"]}
+    command = [programs.OWN / "local_strategy", edge, job.shape, job.case.formula, job.threshold, job.out]
+    return {"seconds": programs.told_seconds(programs.run(command, job.limit))}
 
 
-def gmsh_search(case, shape, threshold, out):
-    """What a careful user of gmsh does: the largest constant whose mesh keeps the threshold, by bisection.
+def searched(mesher, job, before=None):
+    """What a careful user of a mesher with a size field does: the largest constant whose mesh keeps the threshold,
+    by bisection; where that was done before, its constant once more.
 
     "seconds" are those of a run with that constant, "search_seconds" those of all before.
     """
-    part = Part.Shape()
-    part.importBrep(str(shape))
-    largest = part.BoundBox.DiagonalLength / 8
-    spent = []
+    if before:
+        return {**before, "seconds": mesher(job, before["constant"])}
+    spent, failures = [], []
 
     def keeps(constant):
-        spent.append(gmsh(case, shape, largest, constant, out))
-        return check.measure(case, out, threshold)["above"] == 0
+        start = time.perf_counter()
+        try:
+            spent.append(mesher(job, constant))
+        except programs.TooSlow:
+            raise
+        except programs.RivalFailed as error:  # as coarse meshes make some programs
+            spent.append(time.perf_counter() - start)
+            failures.append(str(error))
+            return False
+        return check.measure(job.case, job.out, job.threshold)["above"] == 0
 
-    constant = search_constant(keeps, 0.3 * threshold, threshold)
+    try:
+        constant = search_constant(
+            keeps, 0.3 * job.threshold, job.threshold, stop=lambda: sum(spent) > job.limit
+        )
+    except programs.TooSlow:
+        raise
+    except programs.RivalFailed as error:
+        raise programs.RivalFailed("; ".join([str(error), *failures[-1:]])) from None
     return {
-        "seconds": gmsh(case, shape, largest, constant, out),
+        "seconds": mesher(job, constant),
         "search_seconds": sum(spent),
+        "search_runs": len(spent),
         "constant": constant,
     }
 
 
-def gmsh(case, shape, largest, constant, out):
-    """One mesh by gmsh with h = constant / |grad f|, at most `largest` mm; the seconds that gmsh says it took for
-    meshing and optimising."""
-    script = out.with_suffix(".geo")
-    values = {"constant": constant, "slope": case.slope, "least_slope": constant / largest}
-    script.write_text(GMSH.format(shape=shape, **values))
-    log = _run(["gmsh", script, "-3", "-bin", "-format", "msh41", "-o", out])
-    times = [float(seconds) for seconds in GMSH_SECONDS.findall(log)]
-    if len(times) < 4:
-        raise RivalFailed(f"gmsh did not tell its times for {script}: {log[-500:]}")
-    return sum(times)
-
-
-def search_constant(keeps, low, high, runs=8):
-    """The largest constant between low and high that keeps(constant) accepts, by `runs` halvings of their ratio.
-    Raises RivalFailed where it accepts none."""
+def search_constant(keeps, low, high, runs=8, stop=lambda: False):
+    """The largest constant between low and high that keeps(constant) accepts, by `runs` halvings of their ratio, or
+    fewer where stop() says so. Raises RivalFailed where it accepts none."""
     best = None
     for _ in range(runs):
         middle = math.sqrt(low * high)
@@ -95,17 +116,11 @@ def search_constant(keeps, low, high, runs=8):
             best = low = middle
         else:
             high = middle
+        if stop():
+            break
     if best is None:
-        raise RivalFailed(f"no constant down to {high:.3g} keeps the threshold")
+        raise programs.RivalFailed(f"no constant down to {high:.3g} keeps the threshold")
     return best
-
-
-def _run(command):
-    words = [str(word) for word in command]
-    done = subprocess.run(words, capture_output=True, text=True)
-    if done.returncode:
-        raise RivalFailed(f"{' '.join(words)}: {(done.stderr or done.stdout)[-1000:]}")
-    return done.stdout
 
 
 RIVALS = {
@@ -114,5 +129,6 @@ RIVALS = {
     "FGMesh, anisotropy 3": (partial(fgmesh, 3.0), ".vtu"),
     "local, longest edge": (partial(local_strategy, "longest"), ".mesh"),
     "local, steepest edge": (partial(local_strategy, "steepest"), ".mesh"),
-    "gmsh": (gmsh_search, ".msh"),
+    **{name: (partial(searched, mesher), extension) for name, (mesher, extension) in MESHERS.items()},
 }
+"""{name: (way, what the name of its file ends with)}"""

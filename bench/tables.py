@@ -26,18 +26,24 @@ class Column(NamedTuple):
         return f"{value:{self.format}}{verdict}"
 
 
+ESTIMATE_OFF = Column("expected off", "expected_off", ".0%", "<=", 0.3)
+CERTIFICATE = Column("certificate, of the time", "part_of_certificate", ".0%")
 CASE_COLUMNS = (
     Column("tets", "tets", "d"),
     Column("above", "above", "d", "<=", 0),
     Column("eta", "eta", ".1f", "<=", 16),
     Column("smallest angle", "dihedral_min", ".1f", ">=", 10.9),
     Column("largest", "dihedral_max", ".1f", "<=", 164),
-    Column("mean variation", "variation_mean", ".4f", ">=", 0.065),
+    Column("mean variation / threshold", "variation_part", ".2f", ">=", 0.65),
+    ESTIMATE_OFF,
     Column("time, s", "seconds", ".2f"),
     Column("search, s", "search_seconds", ".1f"),
+    Column("runs", "search_runs", ".0f"),
     Column("time / search", "part_of_search", ".2f", "<=", 1),
+    Column("time / gmsh run", "times_of_gmsh", ".2f", "<=", 3),
     Column("tets / FGMesh", "tets_ratio", ".2f"),
     Column("time / FGMesh", "time_ratio", ".2f"),
+    CERTIFICATE,
 )
 STUDY_COLUMNS = (
     Column("tets", "tets", "d"),
@@ -49,50 +55,126 @@ STUDY_COLUMNS = (
     Column("of what is allowed", "part_of_deviation", ".1%", "<=", 1),
     Column("volume off", "volume_error", ".3%", "<=", 0.002),
     Column("time, s", "seconds", ".2f"),
+    CERTIFICATE,
 )
+GEOMETRY_COLUMNS = (
+    Column("tets", "tets", "d"),
+    Column("for the material alone", "material_alone", "d"),
+    Column("for the geometry alone", "geometry_alone", "d"),
+    Column("times the larger", "times_the_larger", ".2f", "<=", 1.6),
+    Column("above", "above", "d", "<=", 0),
+    Column("smallest angle", "dihedral_min", ".1f", ">=", 12),
+    Column("largest", "dihedral_max", ".1f"),
+    Column("deviation, of what is allowed", "part_of_deviation", ".1%", "<=", 1),
+    ESTIMATE_OFF,
+    Column("time, s", "seconds", ".2f"),
+    CERTIFICATE,
+)
+SCALING_COLUMNS = (
+    Column("tets", "tets", ".0f"),
+    Column("above", "above", ".0f", "<=", 0),
+    Column("smallest angle", "dihedral_min", ".1f"),
+    Column("time, s", "seconds", ".1f"),
+    Column("microseconds a tet", "microseconds_a_tet", ".1f"),
+    Column("growth", "growth", ".2f", "<=", 1.5),
+    Column("memory, MB", "memory_mb", ".0f"),
+    Column("KB a tet", "kilobytes_a_tet", ".2f", "<=", 1.5),
+)
+THREAD_COLUMNS = (
+    Column("tets", "tets", ".0f"),
+    Column("threads used", "used", ".0f"),
+    Column("time, s", "seconds", ".2f"),
+    Column("times faster", "gain", ".2f", ">=", 1.5),
+    Column("different meshes", "different_meshes", "d", "<=", 0),
+)
+SECTIONS = {
+    "studies": ("whole pipeline", STUDY_COLUMNS),
+    "geometry": ("deviation of the diagonal / 500", GEOMETRY_COLUMNS),
+    "scaling": ("finer and finer", SCALING_COLUMNS),
+    "threads": ("threads", THREAD_COLUMNS),
+}
+OWN = "FGMesh"
 
 
 def in_markdown(results):
-    """The two tables and what the machine was doing."""
+    """The tables, and what the machine was doing."""
     machine = results["machine"]
     parts = [
-        f"Threshold {results['threshold']:g}, {machine['commit']}. Times: medians of {results['repeat']}; "
-        f"load {machine['load_before']:.1f} before and {machine['load_after']:.1f} after, "
+        f"{machine['commit']}, {machine['date']}, {machine.get('processor', '')}. Times: medians of "
+        f"{results['repeat']}; load {machine['load_before']:.1f} before and {machine['load_after']:.1f} after, "
         f"{machine['cores']} cores."
     ]
-    rows = [
-        ([name, way], derived(ways, way), way == "FGMesh")
-        for name, ways in results["cases"].items()
-        for way in ways
-    ]
-    parts.append(table(["after the material stage", "by"], CASE_COLUMNS, rows))
-    rows = [([name], figures, True) for name, figures in results["studies"].items()]
-    parts.append(table(["whole pipeline"], STUDY_COLUMNS, rows))
+    for threshold, ways_of in results.get("cases", {}).items():
+        rows = [
+            ([name, label(ways[way], way)], derived(ways, way, float(threshold)), way == OWN)
+            for name, ways in ways_of.items()
+            for way in ways
+        ]
+        parts.append(table([f"threshold {threshold}, after the material stage", "by"], CASE_COLUMNS, rows))
+    for section, (head, columns) in SECTIONS.items():
+        rows = [([name], with_parts(figures), True) for name, figures in results.get(section, {}).items()]
+        if rows:
+            parts.append(table([head], columns, rows))
     return "\n\n".join(parts + [f"**NOT SOUND** {line}" for line in unsound(results)])
 
 
+def label(figures, way):
+    """The name of a way, and why there is nothing beside it."""
+    return f"{way}: {' '.join(figures['failed'].split())}" if "failed" in figures else way
+
+
+def meshes(results):
+    """{"case at threshold, way" or the name of another mesh: figures} of all that were made."""
+    found = {
+        f"{name} at {threshold}, {way}": derived(ways, way, float(threshold))
+        for threshold, ways_of in results.get("cases", {}).items()
+        for name, ways in ways_of.items()
+        for way in ways
+        if "tets" in ways[way]
+    }
+    for section in SECTIONS:
+        for name, figures in results.get(section, {}).items():
+            found[f"{name}, {section}"] = with_parts(figures)
+    return found
+
+
 def unsound(results):
-    """A line for each mesh with faults."""
-    meshes = {f"{name}, {way}": ways[way] for name, ways in results["cases"].items() for way in ways}
-    meshes.update(results["studies"])
+    """A line for each mesh with faults, but for those of rivals, and for each that FGMesh did not make."""
     return [
-        f"{name}: {'; '.join(figures['faults'])}" for name, figures in meshes.items() if figures["faults"]
+        f"{name}: {'; '.join(figures['faults'])}"
+        for name, figures in meshes(results).items()
+        if figures.get("faults")
     ]
 
 
-def derived(ways, way):
-    """The figures of one way of meshing, its ratios to FGMesh and its time as part of gmsh's search."""
-    figures, own = ways[way], ways["FGMesh"]
-    return {
-        **figures,
-        "tets_ratio": figures["tets"] / own["tets"],
-        "time_ratio": figures["seconds"] / own["seconds"],
-        "part_of_search": figures["seconds"] / ways["gmsh"]["search_seconds"],
-    }
+def derived(ways, way, threshold):
+    """The figures of one way of meshing, beside those of FGMesh and of gmsh where there are any."""
+    figures, own, gmsh = ways[way], ways.get(OWN, {}), ways.get("gmsh", {})
+    if "tets" not in figures:
+        return {}
+    found = {**with_parts(figures), "variation_part": figures["variation_mean"] / threshold}
+    if "tets" in own:
+        found["tets_ratio"] = figures["tets"] / own["tets"]
+        found["time_ratio"] = figures["seconds"] / own["seconds"]
+    if "tets" in gmsh:
+        found["part_of_search"] = figures["seconds"] / gmsh["search_seconds"]
+        found["times_of_gmsh"] = figures["seconds"] / gmsh["seconds"]
+    return found
+
+
+def with_parts(figures):
+    """Figures with how far the expected number of tetrahedra is off, and what part of the time the certificate took."""
+    found = dict(figures)
+    if "expected_tets" in figures:
+        found["expected_off"] = abs(figures["expected_tets"] / figures["tets"] - 1)
+    if "certificate_seconds" in figures:
+        found["part_of_certificate"] = figures["certificate_seconds"] / figures["seconds"]
+    return found
 
 
 def table(heads, columns, rows):
-    """Markdown. rows: (labels, figures, whether the targets are theirs)."""
+    """Markdown, without columns that no row has a figure for. rows: (labels, figures, whether the targets are theirs)."""
+    columns = [column for column in columns if any(column.figure in figures for _, figures, _ in rows)]
     lines = [[*heads, *(column.head() for column in columns)], ["---"] * (len(heads) + len(columns))]
     lines += [
         [*labels, *(column.cell(figures, judged) for column in columns)] for labels, figures, judged in rows

@@ -7,6 +7,7 @@ import subprocess
 import sys
 from types import SimpleNamespace
 
+import meshio
 import numpy as np
 import pytest
 
@@ -22,10 +23,13 @@ def bench(source_dir, build_dir):
     sys.path.append(str(source_dir / "bench"))
     import cases
     import check
+    import programs
     import rivals
+    import size_fields
     import tables
 
-    return {"cases": cases, "check": check, "rivals": rivals, "tables": tables}
+    modules = (cases, check, programs, rivals, size_fields, tables)
+    return {module.__name__: module for module in modules}
 
 
 @pytest.fixture(scope="session")
@@ -71,6 +75,28 @@ def test_angles_of_the_regular_tetrahedron(check):
 def test_angles_of_a_corner(check):
     angles = np.sort(check.dihedral_angles(np.vstack([np.zeros(3), np.eye(3)]), np.array([[0, 1, 2, 3]]))[0])
     assert angles == pytest.approx([*[np.degrees(math.acos(1 / math.sqrt(3)))] * 3, 90, 90, 90])
+
+
+def test_measures_of_a_structured_mesh(check, tmp_path):
+    """A unit cube of n^3 cubes with six tetrahedra each, f = x: eta is 6 n^3 delta^3 / 1, the variation of each
+    tetrahedron 1 / n, and the dihedral angles of such a tetrahedron are 45, 60 and 90 degrees."""
+    n, delta = 4, 0.25
+    ends = np.linspace(0, 1, n + 1)
+    cubes = [CUBE / n + [x, y, z] for x in ends[:-1] for y in ends[:-1] for z in ends[:-1]]
+    corners = np.vstack(cubes)
+    points, place = np.unique(np.round(corners * n), axis=0, return_inverse=True)
+    tets = place.reshape(-1)[np.vstack([CUBE_TETS + 8 * i for i in range(n**3)])]
+    meshio.Mesh(points / n, [("tetra", tets)]).write(tmp_path / "cube.vtu")
+    case = SimpleNamespace(
+        fraction_at=lambda points: points[:, 0], slope_at=lambda points: np.ones(len(points))
+    )
+    figures = check.measure(case, tmp_path / "cube.vtu", delta)
+    assert figures["faults"] == [] and figures["tets"] == 6 * n**3 and figures["above"] == 0
+    assert figures["eta"] == pytest.approx(6 * (n * delta) ** 3)
+    assert figures["variation_mean"] == pytest.approx(1 / n)
+    assert (figures["dihedral_min"], figures["dihedral_max"]) == (pytest.approx(45), pytest.approx(90))
+    assert sum(figures["dihedral_counts"]) == 6 * 6 * n**3
+    assert check.measure(case, tmp_path / "cube.vtu", 0.2)["above"] == 6 * n**3
 
 
 def test_integral_of_the_slope(check):
@@ -126,22 +152,88 @@ def test_the_search_finds_the_largest_constant(bench):
     search = bench["rivals"].search_constant
     found = search(lambda constant: constant <= 0.0471, 0.03, 0.1)
     assert 0.0471 / (0.1 / 0.03) ** (1 / 256) <= found <= 0.0471
-    with pytest.raises(bench["rivals"].RivalFailed):
+    with pytest.raises(bench["programs"].RivalFailed):
         search(lambda constant: False, 0.03, 0.1)
+    asked = []
+    search(lambda constant: not asked.append(constant), 0.03, 0.1, stop=lambda: len(asked) == 3)
+    assert len(asked) == 3
 
 
-def test_gmsh_is_driven_and_measured(bench, tmp_path):
+@pytest.fixture
+def job(bench, tmp_path):
+    """Meshes the cylinder into tmp_path."""
+    case = bench["cases"].BY_NAME["cylinder-power"]
+    case.build().exportBrep(str(tmp_path / "part.brep"))
+    return bench["rivals"].Job(case, case.build(), tmp_path / "part.brep", 0.1, 60.0, tmp_path / "part.msh")
+
+
+@pytest.mark.parametrize("name", ["gmsh", "gmsh HXT"])
+def test_gmsh_is_driven_and_measured(bench, job, name):
     """Half the size takes eight times the elements in the limit; at the foot the slope vanishes."""
-    case, shape = bench["cases"].BY_NAME["cylinder-power"], tmp_path / "part.brep"
-    case.build().exportBrep(str(shape))
+    mesher, _ = bench["size_fields"].MESHERS[name]
     counts = []
     for constant in (0.08, 0.16):
-        assert bench["rivals"].gmsh(case, shape, 30.0, constant, tmp_path / "part.msh") > 0
-        figures = bench["check"].measure(case, tmp_path / "part.msh", 0.1)
+        assert mesher(job, constant) > 0
+        figures = bench["check"].measure(job.case, job.out, 0.1)
         assert figures["faults"] == []
-        assert figures["volume"] == pytest.approx(VOLUMES[case.name], rel=0.1)
+        assert figures["volume"] == pytest.approx(VOLUMES[job.case.name], rel=0.1)
         counts.append(figures["tets"])
     assert 4 < counts[0] / counts[1] < 9
+
+
+def test_a_search_is_made_once(bench, job):
+    """What fails is too coarse; what is too slow ends the search, since the rest would be slower."""
+    rivals, programs = bench["rivals"], bench["programs"]
+    tried = []
+
+    def mesher(job, constant):
+        tried.append(constant)
+        if constant > 0.05:
+            raise programs.RivalFailed("too coarse")
+        bench["size_fields"].MESHERS["gmsh"][0](job, constant)
+        return 2.0
+
+    found = rivals.searched(mesher, job)
+    assert found["constant"] <= 0.05 and found["seconds"] == 2.0 and found["search_runs"] == 8
+    assert found["search_seconds"] == pytest.approx(2.0 * sum(c <= 0.05 for c in tried[:8]), abs=0.1)
+    tried.clear()
+    assert rivals.searched(mesher, job, found)["search_seconds"] == found["search_seconds"]
+    assert tried == [found["constant"]]
+
+    def slow(job, constant):
+        raise programs.TooSlow("slow")
+
+    with pytest.raises(programs.TooSlow):
+        rivals.searched(slow, job)
+
+
+def test_programs_are_limited(bench):
+    run, failed = bench["programs"].run, bench["programs"].RivalFailed
+    assert run(["echo", "done"], 10) == "done\n"
+    for command, told in (
+        (["sleep", "9"], "takes more than"),
+        (["false"], "status 1"),
+        (["no-such"], "installed"),
+    ):
+        with pytest.raises(failed, match=told):
+            run(command, 0.5)
+
+
+def test_the_grid_of_sizes_fills_its_box(bench, check):
+    points, tets = bench["size_fields"].grid(((0, 0, 0), (4, 2, 1)))
+    low, high = points.min(axis=0), points.max(axis=0)
+    assert (low < 0).all() and (high > [4, 2, 1]).all()
+    sizes = check.volumes(points, tets)
+    assert sizes.min() > 0 and sizes.sum() == pytest.approx(np.prod(high - low))
+    assert check.faults(points, tets, NO_TRIANGLES) == []
+
+
+def test_a_tessellation_is_welded(bench):
+    """Two triangles of a square, told with all their corners, and one that is a line."""
+    points = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (1, 1, 0), (0, 1, 0), (0, 0, 0)]
+    merged, triangles = bench["size_fields"].welded(points, [(0, 1, 2), (3, 4, 5), (0, 2, 3)])
+    assert len(merged) == 4 and len(triangles) == 2
+    assert {tuple(merged[i]) for i in triangles[0]} == {(0, 0, 0), (1, 0, 0), (1, 1, 0)}
 
 
 def test_run_is_a_script(source_dir):
@@ -156,19 +248,82 @@ def test_targets_are_told(bench, eta, words):
     assert "met" not in column.cell({"eta": eta}, judged=False)
 
 
-def test_compare_prints_ratios(source_dir, tmp_path):
-    figures = {"tets": 100, "eta": 8.0, "dihedral_min": 10.0, "dihedral_max": 160.0, "variation_mean": 0.08}
-    for name, tets, seconds in (("old", 100, 2.0), ("new", 80, 1.0)):
-        ways = {
-            "FGMesh": {**figures, "tets": tets, "seconds": seconds},
-            "gmsh": {**figures, "seconds": 1.0, "search_seconds": 4.0},
-        }
-        (tmp_path / name).write_text(json.dumps({"cases": {"ball": ways}, "studies": {}}))
+FIGURES = {
+    "tets": 100,
+    "faults": [],
+    "above": 0,
+    "eta": 8.0,
+    "dihedral_min": 10.0,
+    "dihedral_max": 160.0,
+    "dihedral_counts": [0, 0, *[100] * 32, 0, 0],
+    "variation_mean": 0.08,
+    "seconds": 2.0,
+}
+MACHINE = {
+    "commit": "c0ffee",
+    "date": "today",
+    "processor": "Z80",
+    "cores": 1,
+    "load_before": 0,
+    "load_after": 0,
+}
+
+
+@pytest.fixture
+def results():
+    """As bench/run keeps them, of one case at two thresholds; at the finer one Netgen has failed."""
+    searched = {**FIGURES, "tets": 400, "eta": 32.0, "seconds": 1.0, "search_seconds": 4.0, "search_runs": 8}
+    coarse = {"FGMesh": {**FIGURES, "expected_tets": 120}, "gmsh": searched, "Netgen": searched}
+    fine = {
+        "FGMesh": {**FIGURES, "tets": 800, "seconds": 16.0, "certificate_seconds": 4.0},
+        "gmsh": {**searched, "tets": 3200, "seconds": 4.0, "search_seconds": 40.0},
+        "Netgen": {"failed": "one run takes more than 300 s"},
+    }
+    grown = {"tets": 1000, "seconds": 20.0, "microseconds_a_tet": 20.0, "growth": 1.6, "kilobytes_a_tet": 1.4}
+    return {
+        "repeat": 1,
+        "machine": MACHINE,
+        "cases": {"0.1": {"ball-exp": coarse}, "0.05": {"ball-exp": fine}},
+        "studies": {},
+        "scaling": {"ball-exp at 0.03": {**grown, "threshold": 0.03}},
+    }
+
+
+def test_tables_tell_targets_and_failures(bench, results):
+    text = bench["tables"].in_markdown(results)
+    rows = [[cell.strip() for cell in line.split("|")] for line in text.splitlines() if line.startswith("|")]
+    named = {(row[1], row[2]): row for row in rows}
+    head = next(row for row in rows if row[1].startswith("threshold 0.1"))
+    own = dict(zip(head, next(row for row in rows if row[2] == "FGMesh")))
+    assert own["expected off (<= 30%)"] == "20% met"
+    assert own["time / gmsh run (<= 3.00)"] == "2.00 met"
+    assert own["time / search (<= 1.00)"] == "0.50 met"
+    assert ("ball-exp", "Netgen: one run takes more than 300 s") in named
+    assert "1.60 **not met**" in text and "1.40 met" in text
+    assert "25%" in text  # of the certificate
+    assert "threads used" not in text and "NOT SOUND" not in text
+    results["cases"]["0.1"]["ball-exp"]["FGMesh"]["faults"] = ["1 flat"]
+    assert "**NOT SOUND** ball-exp at 0.1, FGMesh: 1 flat" in bench["tables"].in_markdown(results)
+
+
+def test_compare_prints_ratios(source_dir, tmp_path, results):
+    (tmp_path / "old").write_text(json.dumps(results))
+    ways = results["cases"]["0.1"]["ball-exp"]
+    ways["FGMesh"] = {**ways["FGMesh"], "tets": 80, "seconds": 1.0, "above": 3}
+    results["scaling"]["ball-exp at 0.03"]["kilobytes_a_tet"] = 0.7
+    del results["cases"]["0.05"]
+    (tmp_path / "new").write_text(json.dumps(results))
     command = [sys.executable, source_dir / "bench" / "compare", tmp_path / "old", tmp_path / "new"]
     done = subprocess.run(command, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
-    row = next(line for line in done.stdout.splitlines() if "ball, FGMesh" in line)
-    assert [cell.strip() for cell in row.split("|")][
-        2:9
-    ] == "0.800 1.000 1.000 1.000 1.000 0.500 0.500".split()
-    assert subprocess.run([*command[:-1], tmp_path / "none"], capture_output=True).returncode == 2
+    rows = [[cell.strip() for cell in line.split("|")] for line in done.stdout.splitlines()]
+    told = {row[1]: dict(zip(rows[0], row)) for row in rows if len(row) > 2}
+    own = told["ball-exp at 0.1, FGMesh"]
+    wanted = {"tets": "0.800", "eta": "1.000", "time": "0.500", "time / search": "0.500"}
+    assert {title: own[title] for title in wanted} == wanted
+    assert told["ball-exp at 0.03, scaling"]["memory a tet"] == "0.500"
+    assert "only in the old results: ball-exp at 0.05, gmsh" in done.stdout
+    assert "ball-exp at 0.1, FGMesh: 3 tetrahedra above the threshold, 0 before" in done.stdout
+    (tmp_path / "other").write_text("{}")
+    for other in ("none", "other"):
+        assert subprocess.run([*command[:-1], tmp_path / other], capture_output=True).returncode == 2
