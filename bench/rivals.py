@@ -29,6 +29,7 @@ class Job:
     threshold: float
     limit: float  # of one run and of what a search spends, s
     out: Path
+    known: float = 0.0  # constant / threshold that a search has found at a coarser threshold; 0: none has
     diagonal: float = field(init=False)  # mm
     largest: float = field(init=False)  # size that any element may have, as FGMesh's own default, mm
     box: tuple = field(init=False)
@@ -72,7 +73,8 @@ def searched(mesher, job, before=None):
     """What a careful user of a mesher with a size field does: the largest constant whose mesh keeps the threshold,
     by bisection; where that was done before, its constant once more.
 
-    "seconds" are those of a run with that constant, "search_seconds" those of all before.
+    The constant is nearly proportional to the threshold, so that of a coarser one begins the search where it is known.
+    "seconds" are those of a run with the constant that is found, "search_seconds" those of all before.
     """
     if before:
         return {**before, "seconds": mesher(job, before["constant"])}
@@ -91,9 +93,9 @@ def searched(mesher, job, before=None):
         return check.measure(job.case, job.out, job.threshold)["above"] == 0
 
     try:
-        constant = search_constant(
-            keeps, 0.3 * job.threshold, job.threshold, stop=lambda: sum(spent) > job.limit
-        )
+        low, high, runs = (0.8 * job.known, 1.25 * job.known, 5) if job.known else (0.3, 1.0, 8)
+        low, high = low * job.threshold, high * job.threshold
+        constant = search_constant(keeps, low, high, runs, stop=lambda: sum(spent) > job.limit)
     except programs.TooSlow:
         raise
     except programs.RivalFailed as error:
@@ -106,7 +108,7 @@ def searched(mesher, job, before=None):
     }
 
 
-def search_constant(keeps, low, high, runs=8, stop=lambda: False):
+def search_constant(keeps, low, high, runs, stop=lambda: False):
     """The largest constant between low and high that keeps(constant) accepts, by `runs` halvings of their ratio, or
     fewer where stop() says so. Raises RivalFailed where it accepts none."""
     best = None

@@ -19,21 +19,26 @@ from freecad.fgmesh.io.mesh_file import write_mesh
 
 DEVIATION = 1 / 500
 """Of the diagonal: the surface deviation of `geometry`, which asks for about as many elements as the material does."""
+BOTH_AT = 0.1
+"""The threshold of `geometry`."""
 FINER = (0.05, 0.03, 0.02)
 """Thresholds of `scaling`."""
 
 
 def compare_ways(folder, options):
     """{threshold: {case: {way: figures}}}; those of a way that failed are {"failed": why}."""
-    return {
-        f"{threshold:g}": {
-            name: one_case(cases.BY_NAME[name], threshold, folder, options) for name in options.cases
+    found = {}
+    for threshold in sorted(options.thresholds, reverse=True):
+        coarser = list(found.values())[-1] if found else {}
+        found[f"{threshold:g}"] = {
+            name: one_case(cases.BY_NAME[name], threshold, coarser.get(name, {}), folder, options)
+            for name in options.cases
         }
-        for threshold in options.thresholds
-    }
+    return found
 
 
-def one_case(case, threshold, folder, options):
+def one_case(case, threshold, coarser, folder, options):
+    """{way: figures}. coarser: the same at a coarser threshold, where it has been measured."""
     solid, shape = built(case, folder)
     figures = {}
     for turn in range(options.repeat):
@@ -43,18 +48,22 @@ def one_case(case, threshold, folder, options):
                 continue
             say(f"{case.name} at {threshold:g}: {name}", turn, options)
             out = folder / (re.sub(r"\W+", "-", f"{case.name} {threshold:g} {name}") + extension)
-            job = rivals.Job(case, solid, shape, threshold, options.limit, out)
+            job = rivals.Job(case, solid, shape, threshold, options.limit, out, known(coarser.get(name, {})))
             try:
                 entry["rounds"].append(way(job, *entry["rounds"][:1]))
             except programs.RivalFailed as error:
                 entry["failed"] = str(error)
                 continue
-            entry.update(check.measure(case, out, threshold))
+            entry.update(check.measure(case, out, threshold), threshold=threshold)
     for entry in figures.values():
         rounds = entry["rounds"]
         if rounds:
             entry.update(medians(rounds), volume_error=abs(entry["volume"] / solid.Volume - 1))
     return {name: entry for name, entry in figures.items() if entry["rounds"] or "failed" in entry}
+
+
+def known(figures):
+    return figures["constant"] / figures["threshold"] if "constant" in figures else 0.0
 
 
 def study(folder, options):
@@ -97,7 +106,7 @@ def geometry(folder, options):
 
 def one_geometry(case, folder, options):
     solid, shape = built(case, folder)
-    threshold = options.thresholds[0]
+    threshold = BOTH_AT
     made = {
         "surface_deviation": solid.BoundBox.DiagonalLength * DEVIATION,
         "material_threshold": threshold,

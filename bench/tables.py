@@ -94,6 +94,8 @@ SECTIONS = {
     "threads": ("threads", THREAD_COLUMNS),
 }
 OWN = "FGMesh"
+COARSEST = 0.1
+"""The largest threshold that targets are given for."""
 
 
 def in_markdown(results):
@@ -106,7 +108,11 @@ def in_markdown(results):
     ]
     for threshold, ways_of in results.get("cases", {}).items():
         rows = [
-            ([name, label(ways[way], way)], derived(ways, way, float(threshold)), way == OWN)
+            (
+                [name, label(ways[way], way)],
+                derived(ways, way, float(threshold)),
+                way == OWN and float(threshold) <= COARSEST,
+            )
             for name, ways in ways_of.items()
             for way in ways
         ]

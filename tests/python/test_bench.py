@@ -150,12 +150,12 @@ def test_case_studies_are_those_of_the_examples(bench):
 
 def test_the_search_finds_the_largest_constant(bench):
     search = bench["rivals"].search_constant
-    found = search(lambda constant: constant <= 0.0471, 0.03, 0.1)
+    found = search(lambda constant: constant <= 0.0471, 0.03, 0.1, 8)
     assert 0.0471 / (0.1 / 0.03) ** (1 / 256) <= found <= 0.0471
     with pytest.raises(bench["programs"].RivalFailed):
-        search(lambda constant: False, 0.03, 0.1)
+        search(lambda constant: False, 0.03, 0.1, 8)
     asked = []
-    search(lambda constant: not asked.append(constant), 0.03, 0.1, stop=lambda: len(asked) == 3)
+    search(lambda constant: not asked.append(constant), 0.03, 0.1, 8, stop=lambda: len(asked) == 3)
     assert len(asked) == 3
 
 
@@ -199,6 +199,10 @@ def test_a_search_is_made_once(bench, job):
     tried.clear()
     assert rivals.searched(mesher, job, found)["search_seconds"] == found["search_seconds"]
     assert tried == [found["constant"]]
+    tried.clear()
+    job.known = 0.5  # of a coarser threshold
+    rivals.searched(mesher, job)
+    assert tried[0] == pytest.approx(0.05) and 0.04 < min(tried) and max(tried) < 0.0625
 
     def slow(job, constant):
         raise programs.TooSlow("slow")
