@@ -7,7 +7,7 @@
 BUILD_DIR/bench receives the shapes, the meshes and results.json (or FILE.json, after each section); the tables go to
 standard output. Times are medians of the repetitions, taken in turns, so that a busy machine is busy for all. A rival
 that needs longer than `limit` seconds for one mesh is given up; a search that does is content with what it has.
-Exit status: 0 measured, 1 a mesh of FGMesh's is not sound or was not made; targets that are missed are only said.
+Exit status: 0 measured, 1 a mesh is not sound or FGMesh made none; targets that are missed are only said.
 """
 import argparse
 import json

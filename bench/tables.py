@@ -145,7 +145,7 @@ def meshes(results):
 
 
 def unsound(results):
-    """A line for each mesh with faults, but for those of rivals, and for each that FGMesh did not make."""
+    """A line for each mesh with faults."""
     return [
         f"{name}: {'; '.join(figures['faults'])}"
         for name, figures in meshes(results).items()
@@ -186,3 +186,52 @@ def table(heads, columns, rows):
         [*labels, *(column.cell(figures, judged) for column in columns)] for labels, figures, judged in rows
     ]
     return "\n".join("| " + " | ".join(line) + " |" for line in lines)
+
+
+def summary(results):
+    """The README's table: each way over all cases, counts and times as multiples of FGMesh's, at each threshold."""
+    thresholds = [text for text in results["cases"] if float(text) <= COARSEST]
+    ways = list(
+        dict.fromkeys(way for text in thresholds for ways in results["cases"][text].values() for way in ways)
+    )
+    heads = ["mesher"]
+    for text in thresholds:
+        heads += [f"tets at {text}", "a run", "with the search"]
+    lines = [[*heads, "dihedral angles"], ["---"] * (len(heads) + 1)]
+    for way in ways:
+        cells, angles = [], []
+        for text in thresholds:
+            by_case = results["cases"][text].values()
+            made = [derived(case, way, float(text)) for case in by_case if "tets" in case.get(way, {})]
+            cells += [span(one["tets_ratio"] for one in made), *time_spans(made)]
+            if made and len(made) < len(by_case):
+                cells[-3] += f" ({len(made)} of {len(by_case)})"
+            angles += [one[end] for one in made for end in ("dihedral_min", "dihedral_max")]
+        lines.append([way, *cells, f"{min(angles):.1f} to {max(angles):.1f}" if angles else "none"])
+    machine = results["machine"]
+    told = (
+        f"Measured at commit {machine['commit']}, {machine['date'][:10]}, on {machine['cores']} cores "
+        f"({machine.get('processor', 'unknown')}), load {machine['load_before']:.1f} to {machine['load_after']:.1f}; "
+        f"times of {results['repeat']} run{'s' if results['repeat'] > 1 else ''}, limit {results['limit']:g} s."
+    )
+    return "\n".join("| " + " | ".join(line) + " |" for line in lines) + "\n\n" + told
+
+
+def time_spans(made):
+    """Of one run, and of the search with it."""
+    runs = [one["time_ratio"] for one in made]
+    searches = [
+        ratio * (one["seconds"] + one["search_seconds"]) / one["seconds"]
+        for ratio, one in zip(runs, made)
+        if "search_seconds" in one
+    ]
+    return span(runs), span(searches) if searches else ""
+
+
+def span(values):
+    """The smallest and the largest of some ratios in words."""
+    values = sorted(values)
+    if not values:
+        return "none in time"
+    ends = [f"{value:.2g}" for value in (values[0], values[-1])]
+    return ends[0] if ends[0] == ends[1] else " to ".join(ends)

@@ -331,3 +331,61 @@ def test_compare_prints_ratios(source_dir, tmp_path, results):
     (tmp_path / "other").write_text("{}")
     for other in ("none", "other"):
         assert subprocess.run([*command[:-1], tmp_path / other], capture_output=True).returncode == 2
+
+
+README = "# A part\n\n<!-- bench/publish: begin -->\nold\n<!-- bench/publish: end -->\n\n## Next\n"
+
+
+def test_publish_draws_and_tells(source_dir, tmp_path, results):
+    """The same results give the same files; what has failed is in the table."""
+    (tmp_path / "results.json").write_text(json.dumps({**results, "limit": 60}))
+    (tmp_path / "README.md").write_text(README)
+    command = [
+        source_dir / "bench" / "publish",
+        tmp_path / "results.json",
+        "--readme",
+        tmp_path / "README.md",
+    ]
+    for folder in ("first", "second"):
+        subprocess.run([*command, "--docs", tmp_path / folder], check=True)
+    names = {"tets.svg", "angles.svg", "times.svg"}
+    assert {path.name for path in (tmp_path / "first").iterdir()} == names
+    for name in names:
+        picture = (tmp_path / "first" / name).read_bytes()
+        assert b"<svg" in picture and picture == (tmp_path / "second" / name).read_bytes()
+    text = (tmp_path / "README.md").read_text()
+    assert text.startswith("# A part\n") and text.endswith("\n## Next\n") and "old" not in text
+    rows = [[cell.strip() for cell in line.split("|")[1:-1]] for line in text.splitlines() if "|" in line]
+    assert ["gmsh", "4", "0.5", "2.5", "4", "0.25", "2.8", "10.0 to 160.0"] in rows
+    assert ["Netgen", "4", "0.5", "2.5", "none in time", "none in time", "", "10.0 to 160.0"] in rows
+    assert "commit c0ffee" in text
+
+
+def test_publish_refuses_a_page_without_a_place(source_dir, tmp_path, results):
+    (tmp_path / "results.json").write_text(json.dumps(results))
+    (tmp_path / "README.md").write_text("# A part\n")
+    command = [
+        source_dir / "bench" / "publish",
+        tmp_path / "results.json",
+        "--readme",
+        tmp_path / "README.md",
+    ]
+    done = subprocess.run([*command, "--docs", tmp_path / "plots"], capture_output=True, text=True)
+    assert done.returncode == 1 and "no place" in done.stderr
+    assert (tmp_path / "README.md").read_text() == "# A part\n"
+
+
+def test_pooled_angles_weigh_each_case_alike(bench):
+    import plots
+
+    few, many = [1, 0], [0, 1000]
+    ways = {name: {"FGMesh": {"dihedral_counts": counts}} for name, counts in (("a", few), ("b", many))}
+    shares = plots.pooled_angles({"cases": {"0.2": {}, "0.1": ways, "0.05": {}}})
+    assert shares["FGMesh"] == pytest.approx([0.5, 0.5])
+
+
+def test_commits_wants_two(source_dir):
+    script = source_dir / "bench" / "commits"
+    subprocess.run(["bash", "-n", script], check=True)
+    done = subprocess.run([script, "HEAD"], capture_output=True, text=True)
+    assert done.returncode == 2 and "bench/commits OLD NEW" in done.stderr
