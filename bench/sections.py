@@ -51,7 +51,7 @@ def one_case(case, threshold, coarser, folder, options):
             job = rivals.Job(case, solid, shape, threshold, options.limit, out, known(coarser.get(name, {})))
             try:
                 entry["rounds"].append(way(job, *entry["rounds"][:1]))
-            except programs.RivalFailed as error:
+            except (programs.RivalFailed, core.Error) as error:
                 entry["failed"] = str(error)
                 continue
             entry.update(check.measure(case, out, threshold), threshold=threshold)

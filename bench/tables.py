@@ -145,11 +145,18 @@ def meshes(results):
 
 
 def unsound(results):
-    """A line for each mesh with faults."""
-    return [
+    """A line for each mesh with faults, and for each that FGMesh has not made."""
+    found = [
         f"{name}: {'; '.join(figures['faults'])}"
         for name, figures in meshes(results).items()
         if figures.get("faults")
+    ]
+    return found + [
+        f"{name} at {threshold}, {label(figures, way)}"
+        for threshold, ways_of in results.get("cases", {}).items()
+        for name, ways in ways_of.items()
+        for way, figures in ways.items()
+        if way.startswith(OWN) and "failed" in figures
     ]
 
 

@@ -308,6 +308,8 @@ def test_tables_tell_targets_and_failures(bench, results):
     assert "threads used" not in text and "NOT SOUND" not in text
     results["cases"]["0.1"]["ball-exp"]["FGMesh"]["faults"] = ["1 flat"]
     assert "**NOT SOUND** ball-exp at 0.1, FGMesh: 1 flat" in bench["tables"].in_markdown(results)
+    results["cases"]["0.05"]["ball-exp"]["FGMesh"] = {"failed": "too thin"}
+    assert bench["tables"].unsound(results)[1:] == ["ball-exp at 0.05, FGMesh: too thin"]
 
 
 def test_compare_prints_ratios(source_dir, tmp_path, results):
