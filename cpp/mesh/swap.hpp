@@ -29,12 +29,14 @@ class OdtEnergy final : public SwapObjective {
  public:
   /// Tetrahedra that vary by more than `most_variation` are not made.
   explicit OdtEnergy(const MeshState& state, double most_variation = std::numeric_limits<double>::infinity())
-      : state_(state), most_variation_(most_variation), is_limited_(std::isfinite(most_variation)) {}
+      : state_(state), most_variation_(most_variation) {}
   double cost(const std::array<int, 4>& v) const override {
     const auto& x = state_.vertices;
     const StretchedTet tet(x[v[0]], x[v[1]], x[v[2]], x[v[3]]);
-    if (!(tet.flatness() > 1e-6) || (is_limited_ && state_.variation(v) > most_variation_))
-      return std::numeric_limits<double>::infinity();
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    if (!(tet.flatness() > 1e-6)) return kInfinity;
+    // Where any is allowed it is not looked at.
+    if (most_variation_ < kInfinity && state_.variation(v) > most_variation_) return kInfinity;
     return tet.volume * tet.squared_edges;
   }
   double join(double a, double b) const override { return a + b; }
@@ -43,7 +45,6 @@ class OdtEnergy final : public SwapObjective {
  private:
   const MeshState& state_;
   double most_variation_;
-  bool is_limited_;
 };
 
 /// The worst score of the tetrahedra.
@@ -84,6 +85,7 @@ class Swapper {
   bool improve(int t);
 
  private:
+  /// Kept during a pass, which asks it of a tetrahedron for each of its edges and faces, and moves nothing.
   double cost_of(int t);
   /// Replaces `cavity` by filling_.
   void replace(const std::vector<int>& cavity, const std::vector<LabelledFacet>& facets);

@@ -4,10 +4,8 @@
 namespace fgmesh {
 namespace {
 
-constexpr double kDegrees = 180.0 / 3.14159265358979323846;
 constexpr double kRounding = 1e-12;  // of a cosine
 
-double angle_of(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)) * kDegrees; }
 double cosine_of(double angle) { return std::cos(angle / kDegrees); }
 
 }  // namespace

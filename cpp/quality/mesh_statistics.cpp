@@ -44,7 +44,6 @@ double volume(const TetMesh& mesh) {
 
 StageReport make_stage_report(const std::string& name, const TetMesh& mesh,
                               const std::vector<double>& variation, double threshold) {
-  constexpr double kDegrees = 180.0 / 3.14159265358979323846;
   StageReport report;
   report.name = name;
   report.points = mesh.points.size();
@@ -68,11 +67,11 @@ StageReport make_stage_report(const std::string& name, const TetMesh& mesh,
          dihedral_cosines(mesh.points[a], mesh.points[b], mesh.points[c], mesh.points[d])) {
       least_cosine = std::min(least_cosine, cosine);
       largest_cosine = std::max(largest_cosine, cosine);
-      count(report.dihedral_histogram, std::acos(std::clamp(cosine, -1.0, 1.0)) * kDegrees);
+      count(report.dihedral_histogram, angle_of(cosine));
     }
   }
-  report.dihedral_min = std::acos(std::clamp(largest_cosine, -1.0, 1.0)) * kDegrees;
-  report.dihedral_max = std::acos(std::clamp(least_cosine, -1.0, 1.0)) * kDegrees;
+  report.dihedral_min = angle_of(largest_cosine);
+  report.dihedral_max = angle_of(least_cosine);
   return report;
 }
 

@@ -13,8 +13,6 @@
 namespace fgmesh {
 namespace {
 
-constexpr double kDegrees = 180.0 / 3.14159265358979323846;
-
 /// Cosine between the normals of two sides of a wall at most: 30 degrees from parallel.
 constexpr double kOpposite = -0.87;
 
@@ -100,7 +98,7 @@ class SharpFeatures {
         Wedge& wedge = wedges[{between(a, b), mesh_.tet_solids[t]}];
         const auto cosines =
             dihedral_cosines(mesh_.points[v[0]], mesh_.points[v[1]], mesh_.points[v[2]], mesh_.points[v[3]]);
-        wedge.meshed += std::acos(std::clamp(cosines[e], -1.0, 1.0)) * kDegrees;
+        wedge.meshed += angle_of(cosines[e]);
         for (const int other : kEdgeVertices[5 - e]) {
           const auto facet = facets.find(sorted({a, b, v[other]}));
           if (facet != facets.end()) wedge.faces.push_back(facet->second);

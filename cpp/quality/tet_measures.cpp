@@ -2,12 +2,6 @@
 #include "quality/tet_measures.hpp"
 
 namespace fgmesh {
-namespace {
-
-constexpr double kDegrees = 180.0 / 3.14159265358979323846;
-
-}  // namespace
-
 std::array<double, 6> dihedral_cosines(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const Vec3 ab = b - a, ac = c - a, ad = d - a;
   // Outward area vectors of the faces; they sum to zero.
@@ -26,7 +20,7 @@ std::array<double, 6> dihedral_cosines(const Vec3& a, const Vec3& b, const Vec3&
 AngleRange dihedral_range(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const std::array<double, 6> cosines = dihedral_cosines(a, b, c, d);
   const auto [low, high] = std::minmax_element(cosines.begin(), cosines.end());
-  return {std::acos(std::min(1.0, *high)) * kDegrees, std::acos(std::max(-1.0, *low)) * kDegrees};
+  return {angle_of(*high), angle_of(*low)};
 }
 
 }  // namespace fgmesh

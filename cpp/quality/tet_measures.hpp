@@ -37,6 +37,11 @@ inline double squared_edges(const Vec3& a, const Vec3& b, const Vec3& c, const V
 /// cosine of 1 (an angle of 0) at its edges, so that flat tetrahedra rank worst.
 std::array<double, 6> dihedral_cosines(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
+inline constexpr double kDegrees = 180.0 / 3.14159265358979323846;  ///< in a radian
+
+/// The angle that has a cosine, degrees; what rounding puts beyond [-1, 1] counts as its end.
+inline double angle_of(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)) * kDegrees; }
+
 /// Smallest and largest of the six dihedral angles, degrees.
 struct AngleRange {
   double smallest = 0.0;
