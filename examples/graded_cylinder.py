@@ -58,17 +58,17 @@ def analyse(mesh):
 
     def faces(choose):
         numbered = enumerate(quarter.Shape.Faces, 1)
-        return [(quarter, f"Face{number}") for number, face in numbered if choose(face.BoundBox, face)]
+        return [(quarter, f"Face{number}") for number, face in numbered if choose(face)]
 
     pressed = ObjectsFem.makeConstraintPressure(document, "Pressure")
     pressed.References = faces(
-        lambda box, face: isinstance(face.Surface, Part.Cylinder) and face.Surface.Radius < OUTER
+        lambda face: isinstance(face.Surface, Part.Cylinder) and face.Surface.Radius < OUTER
     )
     pressed.Pressure = PRESSURE
     analysis.addObject(pressed)
     for axis, length in (("x", "XLength"), ("y", "YLength"), ("z", "ZLength")):
         held = ObjectsFem.makeConstraintDisplacement(document, f"Hold{axis.upper()}")
-        held.References = faces(lambda box, _: getattr(box, length) < 1e-6)
+        held.References = faces(lambda face: getattr(face.BoundBox, length) < 1e-6)
         setattr(held, f"{axis}Free", False)
         setattr(held, f"{axis}Fix", True)
         analysis.addObject(held)

@@ -71,6 +71,30 @@ def mesh(graded_box, coarse_mesh):
 
 
 @pytest.fixture
+def bar(document, fgmesh):
+    """The Bench of an exponential bar, E 1000 to 8000 MPa, meshed."""
+    import exact_problems
+
+    bench, _ = exact_problems.exponential_bar(document, fgmesh, MaterialThreshold=0.3, MaxSize=1)
+    fgmesh.generate(bench.mesh)
+    document.recompute()
+    return bench
+
+
+@pytest.fixture
+def analysis(bar, fgmesh):
+    """A function: an analysis of the graded bar with its constraints."""
+
+    def make(**options):
+        made = fgmesh.make_analysis(bar.mesh, **options)
+        made.addObjects([one for one in bar.constraints if one not in made.Group])
+        bar.document.recompute()
+        return made
+
+    return make
+
+
+@pytest.fixture
 def body(document, placement):
     """A placed PartDesign body: a pad of 6 mm on a square of 10 mm."""
     import FreeCAD

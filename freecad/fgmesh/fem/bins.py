@@ -18,6 +18,15 @@ class Bins(NamedTuple):
     values: dict  # {property: (bins,)}
     error: float  # see `bins`
 
+    @property
+    def count(self):
+        return len(next(iter(self.values.values())))
+
+    def members(self):
+        """For each bin the 0-based elements in it, ascending."""
+        order = np.argsort(self.numbers, kind="stable")
+        return np.split(order, np.searchsorted(self.numbers[order], np.arange(1, self.count)))
+
 
 def bins(properties, most=None, allowed_error=None):
     """Bins of elements with `properties`, {name: (m,)}: at most `most` of them or, where allowed_error > 0, as many as

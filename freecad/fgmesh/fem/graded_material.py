@@ -106,11 +106,11 @@ def fill(graded):
     fields = graded_mesh(mesh)
     parts = plan(fields, request)
     group = graded.getParentGroup()
-    materials = _materials(graded, len(next(iter(parts.values.values()))), group)
+    materials = _materials(graded, parts.count, group)
     for number, material in enumerate(materials):
         _set_card(material, {name: column[number] for name, column in parts.values.items()})
         material.References = [(mesh.Shape, _solid_names(mesh.Shape))] if len(materials) > 1 else []
-    _set_groups(mesh, materials, parts.numbers)
+    _set_groups(mesh, materials, parts.members())
     graded.Materials = materials
     graded.BinCount, graded.PropertyError = len(materials), parts.error
     graded.MadeFrom = json.dumps(_made_from(graded))
@@ -224,18 +224,17 @@ def _solid_names(solid):
     return tuple(f"Solid{number}" for number in range(1, len(solid.Shape.Solids) + 1))
 
 
-def _set_groups(mesh, materials, numbers):
-    """Gives the Fem mesh a group of volumes for each material, by which FreeCAD's writers find its elements."""
+def _set_groups(mesh, materials, members):
+    """Gives the Fem mesh a group of volumes for each material, by which FreeCAD's writers find its elements.
+    members: for each the 0-based elements."""
     fem_mesh = mesh.FemMesh.copy()
     names = [_GROUP.format(material.Name) for material in materials]
     prefix = materials[0].Name.rsplit("_Bin", 1)[0] + "_Bin"
     for group in fem_mesh.Groups:
         if fem_mesh.getGroupName(group).startswith(prefix):
             fem_mesh.removeGroup(group)
-    order = np.argsort(numbers, kind="stable")
-    starts = np.searchsorted(numbers[order], np.arange(1, len(materials)))
-    for name, members in zip(names, np.split(order + 1, starts)):
-        fem_mesh.addGroupElements(fem_mesh.addGroup(name, "Volume"), members.tolist())
+    for name, chosen in zip(names, members):
+        fem_mesh.addGroupElements(fem_mesh.addGroup(name, "Volume"), (chosen + 1).tolist())
     mesh.FemMesh = fem_mesh
     mesh.Proxy.kept.keep(mesh.Fingerprint, fem_mesh)
 
