@@ -93,9 +93,7 @@ def searched(mesher, job, before=None):
         return check.measure(job.case, job.out, job.threshold)["above"] == 0
 
     try:
-        low, high, runs = (0.8 * job.known, 1.25 * job.known, 5) if job.known else (0.3, 1.0, 8)
-        low, high = low * job.threshold, high * job.threshold
-        constant = search_constant(keeps, low, high, runs, stop=lambda: sum(spent) > job.limit)
+        constant = find_constant(keeps, job, stop=lambda: sum(spent) > job.limit)
     except programs.TooSlow:
         raise
     except programs.RivalFailed as error:
@@ -106,6 +104,20 @@ def searched(mesher, job, before=None):
         "search_runs": len(spent),
         "constant": constant,
     }
+
+
+def find_constant(keeps, job, stop):
+    """As search_constant(); near the one that is known first, which is not proportional to the threshold for every
+    mesher."""
+    if job.known:
+        near = job.known * job.threshold
+        try:
+            return search_constant(keeps, 0.8 * near, 1.25 * near, 5, stop)
+        except programs.TooSlow:
+            raise
+        except programs.RivalFailed:
+            return search_constant(keeps, 0.1 * job.threshold, 0.8 * near, 8, stop)
+    return search_constant(keeps, 0.3 * job.threshold, job.threshold, 8, stop)
 
 
 def search_constant(keeps, low, high, runs, stop=lambda: False):

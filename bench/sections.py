@@ -183,8 +183,7 @@ def threads(folder, options):
             )
             contents.add(digest(result))
     found = {count: {"rounds": times, **medians(times)} for count, times in rounds.items()}
-    for figures in found.values():
-        figures.update(gain=found[1]["seconds"] / figures["seconds"], different_meshes=len(contents) - 1)
+    found[2].update(gain=found[1]["seconds"] / found[2]["seconds"], different_meshes=len(contents) - 1)
     return {f"{case.name}, {count} threads": figures for count, figures in found.items()}
 
 
