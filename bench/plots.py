@@ -6,6 +6,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
+import tables  # noqa: E402
 
 STYLES = {
     "FGMesh": ("#1b4f9c", "o"),
@@ -19,6 +20,8 @@ STYLES = {
     "local, longest edge": ("#555555", "<"),
     "local, steepest edge": ("#a0a0a0", ">"),
 }
+FLOOR = 1e-4
+"""Smallest share of the angles that is drawn, %."""
 RANDOM_ETA = 8.5
 """Element ratio of regular tetrahedra in random orientation where f is linear."""
 plt.rcParams.update(
@@ -58,7 +61,9 @@ def tets_against_threshold(results):
 def draw_case(panel, ways_at):
     """ways_at: {threshold: {way: figures}}."""
     for way, (colour, marker) in STYLES.items():
-        points = sorted((t, ways[way]["tets"]) for t, ways in ways_at.items() if "tets" in ways.get(way, {}))
+        points = sorted(
+            (t, ways[way]["tets"]) for t, ways in ways_at.items() if tables.keeps_threshold(ways.get(way, {}))
+        )
         if points:
             own = way == "FGMesh"
             panel.plot(
@@ -109,11 +114,13 @@ def angle_histograms(results):
     )
     for panel, (way, share) in zip(axes.ravel(), shares.items()):
         bounds = np.linspace(0, 180, len(share) + 1)
-        panel.stairs(100 * share, bounds, fill=True, color=STYLES[way][0])
+        # From the floor on: not every program that shows the picture clips what is below.
+        panel.stairs(np.maximum(100 * share, FLOOR), bounds, baseline=FLOOR, fill=True, color=STYLES[way][0])
         if way != "FGMesh" and "FGMesh" in shares:
-            panel.stairs(100 * shares["FGMesh"], bounds, color=STYLES["FGMesh"][0], lw=1)
+            outline = np.maximum(100 * shares["FGMesh"], FLOOR)
+            panel.stairs(outline, bounds, baseline=FLOOR, color=STYLES["FGMesh"][0], lw=1)
         panel.set_title(way, loc="left", fontsize=9)
-        panel.set(yscale="log", ylim=(1e-4, 50), xlim=(0, 180), xticks=range(0, 181, 45))
+        panel.set(yscale="log", ylim=(FLOOR, 50), xlim=(0, 180), xticks=range(0, 181, 45))
         panel.xaxis.set_tick_params(labelbottom=True)
     for panel in axes.ravel()[len(shares) :]:
         panel.axis("off")
@@ -149,7 +156,7 @@ def time_against_tets(results):
     first = figure.add_subplot(cells[0])
     panels = [first, figure.add_subplot(cells[1], sharex=first, sharey=first)]
     for way, (colour, marker) in STYLES.items():
-        made = [ways[way] for ways in ways_of if "tets" in ways.get(way, {})]
+        made = [ways[way] for ways in ways_of if tables.keeps_threshold(ways.get(way, {}))]
         if not made:
             continue
         tets = [one["tets"] for one in made]
