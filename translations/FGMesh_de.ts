@@ -380,8 +380,8 @@
       <translation>Vorschau</translation>
     </message>
     <message>
-      <source>Processors to use; without effect yet, one is used</source>
-      <translation>Zu nutzende Prozessoren; noch ohne Wirkung, einer wird genutzt</translation>
+      <source>Processors to use at most, 0 for all; the mesh does not depend on it</source>
+      <translation>Höchstens zu nutzende Prozessoren, 0 für alle; das Netz hängt nicht davon ab</translation>
     </message>
     <message>
       <source>Properties</source>

@@ -85,8 +85,8 @@ void bind_options(py::module_& module) {
       "\nsurface_deviation: largest distance of a facet's centre to the true boundary."
       "\nmin_size, max_size: of edges. anisotropy: largest stretch across the gradient. order: 2 for "
       "ten-node tetrahedra."
-      "\nstop_after: \"initial\", \"material\" or \"geometry\". threads: without effect yet, one is used. "
-      "seed: of random choices.";
+      "\nstop_after: \"initial\", \"material\" or \"geometry\". threads: at most as many are used, 0: all "
+      "processors; the mesh does not depend on it. seed: of random choices.";
   py::class_<MeshingOptions> options(module, "MeshingOptions", doc.c_str());
   options.def(py::init(&options_from));
   for_each_option([&](const char* name, auto member) { options.def_readwrite(name, member); });

@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "domain/cgal_types.hpp"
+#include "mesh/slot_set.hpp"
 #include "mesh/surface_remeshing.hpp"
 #include "mesh/swap.hpp"
 
@@ -243,14 +244,14 @@ class Recovery {
     while (!found()) {
       state_.complex.star(from, queue);
       queue.erase(std::remove_if(queue.begin(), queue.end(), [&](int t) { return !costs(t); }), queue.end());
-      const int stamp = state_.complex.fresh_stamp();
-      for (int t : queue) state_.complex.mark(t, stamp);
+      SlotSet met;
+      for (int t : queue) met.insert(t);
       bool swapped = false;
       for (std::size_t next = 0; next < queue.size() && !swapped && queue.size() < kLongestWalk; ++next) {
         const Tet tet = state_.complex.tet(queue[next]);
         for (int other : tet.neighbour)
-          if (other >= 0 && !state_.complex.marked(other, stamp) && costs(other)) {
-            state_.complex.mark(other, stamp);
+          if (other >= 0 && !met.contains(other) && costs(other)) {
+            met.insert(other);
             queue.push_back(other);
           }
       }

@@ -16,7 +16,7 @@ bool has(const std::array<int, 3>& facet, int v) { return facet[0] == v || facet
 }  // namespace
 
 Cavity::Cavity(const MeshState& state, int a, int b, const std::vector<int>& ring)
-    : state_(state), a_(a), b_(b), stamp_(state.complex.fresh_stamp()) {
+    : state_(state), a_(a), b_(b) {
   for (int t : ring) add(t);
   for (int t : ring)
     for (int i = 0; i < 4; ++i)
@@ -32,7 +32,7 @@ bool Cavity::is_removed(const std::array<int, 3>& facet) const {
 }
 
 void Cavity::add(int t) {
-  if (state_.complex.mark(t, stamp_)) tets_.push_back(t);
+  if (met_.insert(t)) tets_.push_back(t);
 }
 
 void Cavity::remove_facet(int t, int face) {
@@ -65,7 +65,7 @@ bool Cavity::grow(const Vec3& place) {
         const Tet& tet = complex.tet(t);
         const std::array<int, 3> facet = facet_of(tet, i);
         const int behind = tet.neighbour[i];
-        if (tet.label[i] ? is_removed(facet) : at_edge(facet) || complex.marked(behind, stamp_)) continue;
+        if (tet.label[i] ? is_removed(facet) : at_edge(facet) || met_.contains(behind)) continue;
         const auto at = [&](int k) -> const Vec3& { return k == i ? place : state_.position(tet.vertex[k]); };
         if (is_positive(at(0), at(1), at(2), at(3))) continue;
         if (tets_.size() >= kMostTets) return false;
@@ -131,8 +131,7 @@ std::vector<NewTet> Cavity::filling(int v) const {
     const Tet& tet = complex.tet(t);
     for (int i = 0; i < 4; ++i) {
       const std::array<int, 3> facet = facet_of(tet, i);
-      if (tet.label[i] ? is_removed(facet) : at_edge(facet) || complex.marked(tet.neighbour[i], stamp_))
-        continue;
+      if (tet.label[i] ? is_removed(facet) : at_edge(facet) || met_.contains(tet.neighbour[i])) continue;
       filling.push_back({tet.vertex, tet.solid});
       filling.back().vertex[i] = v;
     }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mesh/mesh_state.hpp"
+#include "mesh/slot_set.hpp"
 
 namespace fgmesh {
 
@@ -50,8 +51,9 @@ class Cavity {
   bool keeps_surface(const Vertex& vertex) const;
 
   const MeshState& state_;
-  const int a_, b_, stamp_;
+  const int a_, b_;
   std::vector<int> tets_;
+  SlotSet met_;  // the same
   std::vector<Facet> removed_;
   std::vector<Border> border_;
 };

@@ -127,7 +127,7 @@ class Collapse {
     return true;
   }
 
-  void carry_out(MeshState& state) const {
+  void carry_out(MeshState& state, TetComplex::Site& site) const {
     TetComplex& complex = state.complex;
     const int beyond = other_end();
     if (beyond >= 0) {
@@ -135,7 +135,7 @@ class Collapse {
       complex.clear_crease(vertex_, target_);
       complex.clear_crease(vertex_, beyond);
     }
-    complex.replace(around_.star, tets_, facets_);
+    complex.replace(around_.star, tets_, facets_, site);
   }
 
  private:
@@ -187,12 +187,13 @@ class Collapse {
 
 }  // namespace
 
-bool collapse_edge(MeshState& state, int vertex, int target, const TetScore& score, double least) {
+bool collapse_edge(MeshState& state, int vertex, int target, const TetScore& score, double least,
+                   TetComplex::Site& site) {
   Collapse collapse(state, vertex, target);
   if (!collapse.is_allowed() || !collapse.make_tets(score, least) || !collapse.keeps_complex() ||
       !collapse.keeps_surface())
     return false;
-  collapse.carry_out(state);
+  collapse.carry_out(state, site);
   return true;
 }
 

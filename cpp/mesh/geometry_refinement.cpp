@@ -4,7 +4,7 @@
 #include "mesh/edge_split.hpp"
 #include "mesh/laplacian_smoothing.hpp"
 #include "mesh/steiner_points.hpp"
-#include "mesh/swap.hpp"
+#include "mesh/swap_pass.hpp"
 #include "mesh/worst_first.hpp"
 
 namespace fgmesh {
@@ -115,7 +115,6 @@ int split_long_edges(MeshState& state, double min_size, RunControl& control) {
 void approach_boundary(MeshState& state, const GeometryRefinementOptions& options, RunControl& control) {
   const TetScore shape(state, {options.goal.smallest_angle, options.goal.largest_angle, false});
   const OdtEnergy energy(state, state.threshold());
-  Swapper delaunay(state, energy);
   constexpr int kMostRounds = 60, kRoundsInside = 3;
   for (int round = 0, quiet = 0; round < kMostRounds && quiet < kRoundsInside; ++round) {
     control.report(0.7 * round / (round + 4.0), state.complex.tet_count());
@@ -124,7 +123,7 @@ void approach_boundary(MeshState& state, const GeometryRefinementOptions& option
     const int inside = split_long_edges(state, options.min_size, control);
     if (on_boundary + inside == 0) return;
     quiet = on_boundary > 0 ? 0 : quiet + 1;
-    delaunay.pass(&control);
+    swap_pass(state, energy, control);
     for (int sweep = 0; sweep < 2; ++sweep) laplacian_sweep(state, shape, 0.3, control);
   }
 }

@@ -11,6 +11,7 @@
 #include "mesh/edge_split.hpp"
 #include "mesh/small_features.hpp"
 #include "mesh/surface_remeshing.hpp"
+#include "mesh/swap_pass.hpp"
 #include "mesh/worst_first.hpp"
 
 namespace fgmesh {
@@ -66,10 +67,9 @@ void fill_inside(MeshState& state, const InitialMeshOptions& options, RunControl
   constexpr double kFewSwaps = 0.02, kFewSplits = 0.005;  // of the tetrahedra
   TetComplex& complex = state.complex;
   const OdtEnergy energy(state);
-  Swapper delaunay(state, energy);
   for (int round = 0; round < kMostRounds; ++round) {
     for (int pass = 0; pass < kMostPasses; ++pass)
-      if (delaunay.pass(&control) <= kFewSwaps * complex.tet_count()) break;
+      if (swap_pass(state, energy, control) <= kFewSwaps * complex.tet_count()) break;
     for (Vertex& vertex : state.vertices)
       if (vertex.carrier.dimension == 3) vertex.size = options.size;
     limit_growth(state, kGrowth);

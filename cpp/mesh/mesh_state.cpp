@@ -280,7 +280,7 @@ int MeshState::label_at(int a, int b, const EdgeRing& ring) const {
   for (int t : ring.tet) {
     const Tet& tet = complex.tet(t);
     for (int i = 0; i < 4; ++i)
-      if (tet.label[i] && tet.vertex[i] != a && tet.vertex[i] != b) return tet.label[i];
+      if (tet.vertex[i] != a && tet.vertex[i] != b && tet.label[i]) return tet.label[i];
   }
   return 0;
 }

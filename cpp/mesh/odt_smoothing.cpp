@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/odt_smoothing.hpp"
 
+#include "mesh/blocks.hpp"
 #include "mesh/stretch.hpp"
-#include "mesh/swap.hpp"
+#include "mesh/swap_pass.hpp"
 
 namespace fgmesh {
 namespace {
@@ -97,11 +98,14 @@ double flatness(const MeshState& state, int v, const Vertex& moved, const std::v
 }  // namespace
 
 void update_sizes(MeshState& state, const SizingField& sizing) {
-  for (Vertex& vertex : state.vertices) {
-    vertex.size = sizing.at(steepest(vertex.own.gradient));
-    for (const MaterialValue& other : vertex.others)
-      vertex.size = std::min(vertex.size, sizing.at(steepest(other.gradient)));
-  }
+  for_ranges_at_once(state.vertices.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      Vertex& vertex = state.vertices[v];
+      vertex.size = sizing.at(steepest(vertex.own.gradient));
+      for (const MaterialValue& other : vertex.others)
+        vertex.size = std::min(vertex.size, sizing.at(steepest(other.gradient)));
+    }
+  });
   limit_growth(state, sizing.growth);
   update_stretches(state, sizing);
 }
@@ -121,11 +125,9 @@ Vec3 odt_target(const MeshState& state, int v, const std::vector<int>& star) {
 
 void odt_sweep(MeshState& state, double damping, RunControl& control) {
   constexpr double kFlat = 2e-3;  // a regular tetrahedron has 0.048
-  std::vector<int> star;
-  for (int v = 0; v < state.complex.vertex_slots(); ++v) {
-    if (v % 512 == 0) control.check();
+  sweep_vertices(state, control, [&](int v, std::vector<int>& star) {
     const Vertex& vertex = state.vertices[v];
-    if (state.complex.tet_at(v) < 0 || vertex.frozen || vertex.is_fixed()) continue;
+    if (vertex.frozen || vertex.is_fixed()) return;
     state.complex.star(v, star);
     const Vec3 way = damping * (odt_target(state, v, star) - vertex.position);
     const double least = std::min(kFlat, flatness(state, v, vertex, star));
@@ -138,9 +140,8 @@ void odt_sweep(MeshState& state, double damping, RunControl& control) {
       state.vertices[v].size = size;
       break;
     }
-  }
-  const OdtEnergy energy(state);
-  Swapper(state, energy).pass(&control);
+  });
+  swap_pass(state, OdtEnergy(state), control);
 }
 
 }  // namespace fgmesh

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/stretch.hpp"
 
+#include "core/parallel.hpp"
+
 namespace fgmesh {
 namespace {
 
@@ -66,9 +68,13 @@ Vec3 stretch_at(const CompositionField& field, const Vec3& place, const Vec3& gr
 
 void update_stretches(MeshState& state, const SizingField& sizing) {
   if (sizing.anisotropy == 1.0) return;
-  for (Vertex& vertex : state.vertices)
-    vertex.stretch = stretch_at(state.materials().field(vertex.own.material), vertex.position,
-                                steepest(vertex.own.gradient), vertex.size, sizing);
+  for_ranges_at_once(state.vertices.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      Vertex& vertex = state.vertices[v];
+      vertex.stretch = stretch_at(state.materials().field(vertex.own.material), vertex.position,
+                                  steepest(vertex.own.gradient), vertex.size, sizing);
+    }
+  });
 }
 
 }  // namespace fgmesh

@@ -7,8 +7,6 @@ namespace {
 /// A swap must gain at least this part of the cost, or rounding makes swaps go in circles.
 constexpr double kLeastGain = 1e-9;
 
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-
 bool is_gain(double before, double after) {
   if (std::isinf(before)) return after < before;
   return after < before - kLeastGain * std::abs(before);
@@ -26,15 +24,18 @@ bool same_sense(const Tet& tet, const std::array<int, 4>& order) {
 }  // namespace
 
 double Swapper::cost_of(int t) {
-  if (t >= static_cast<int>(costs_.size())) return objective_.cost(state_.complex.tet(t).vertex);
-  if (std::isnan(costs_[t])) costs_[t] = objective_.cost(state_.complex.tet(t).vertex);
-  return costs_[t];
+  if (!costs_ || t >= static_cast<int>(costs_->size())) return objective_.cost(state_.complex.tet(t).vertex);
+  double& known = (*costs_)[t];
+  if (std::isnan(known)) known = objective_.cost(state_.complex.tet(t).vertex);
+  return known;
 }
 
-void Swapper::replace(const std::vector<int>& cavity, const std::vector<LabelledFacet>& facets) {
-  state_.complex.replace(cavity, filling_, facets);
-  for (int t : state_.complex.created())
-    if (t < static_cast<int>(costs_.size())) costs_[t] = kUnknown;
+bool Swapper::replace(const std::vector<int>& cavity, const std::vector<LabelledFacet>& facets) {
+  if (!state_.complex.replace(cavity, filling_, facets, site_)) return false;
+  if (!costs_) return true;
+  for (int t : site_.created())
+    if (t < static_cast<int>(costs_->size())) (*costs_)[t] = std::numeric_limits<double>::quiet_NaN();
+  return true;
 }
 
 bool Swapper::remove_ringed_edge(int a, int b) {
@@ -76,8 +77,7 @@ bool Swapper::remove_ringed_edge(int a, int b) {
   }
   filling_.clear();
   fill_polygon(0, n - 1, a, b, solid);
-  replace(ring_.tet, facets);
-  return true;
+  return replace(ring_.tet, facets);
 }
 
 double Swapper::best_filling(int from, int to, int a, int b) {
@@ -140,8 +140,7 @@ bool Swapper::remove_interface_edge(int a, int b) {
   filling_.clear();
   fill_polygon(0, middle, a, b, first_solid);
   fill_polygon(middle, n, a, b, second_solid);
-  replace(ring_.tet, {{{a, c, d}, label}, {{b, c, d}, label}});
-  return true;
+  return replace(ring_.tet, {{{a, c, d}, label}, {{b, c, d}, label}});
 }
 
 /// Whether the edges that fill a part of the ring of an interface edge are new. `other_is_flat`: the other
@@ -230,8 +229,7 @@ bool Swapper::remove_face(int t, int face) {
   const int solid = tet.solid;
   filling_.clear();
   for (const auto& vertex : made) filling_.push_back({vertex, solid});
-  replace({t, other}, {});
-  return true;
+  return replace({t, other}, {});
 }
 
 bool Swapper::improve(int t) {
@@ -241,24 +239,6 @@ bool Swapper::improve(int t) {
   for (const auto& edge : kEdgeVertices)
     if (remove_edge(v[edge[0]], v[edge[1]], t)) return true;
   return false;
-}
-
-int Swapper::pass(RunControl* control) {
-  TetComplex& complex = state_.complex;
-  int count = 0;
-  costs_.assign(complex.slots(), kUnknown);
-  for (int t = 0; t < complex.slots(); ++t) {
-    if (control && t % 1024 == 0) control->check();
-    for (int face = 0; face < 4 && complex.tet(t).alive(); ++face)
-      if (t < complex.tet(t).neighbour[face] && remove_face(t, face)) ++count;
-    for (int e = 0; e < 6 && complex.tet(t).alive(); ++e) {
-      const int a = complex.tet(t).vertex[kEdgeVertices[e][0]],
-                b = complex.tet(t).vertex[kEdgeVertices[e][1]];
-      if (complex.ring_of_first(a, b, t, ring_) && remove_ringed_edge(a, b)) ++count;
-    }
-  }
-  costs_.clear();
-  return count;
 }
 
 }  // namespace fgmesh

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/run_control.hpp"
 #include "mesh/mesh_state.hpp"
 #include "mesh/stretch.hpp"
 #include "mesh/tet_score.hpp"
@@ -67,29 +66,33 @@ class WorstScore final : public SwapObjective {
 /// close to the true face as allowed_chord_error() asks.
 class Swapper {
  public:
-  Swapper(MeshState& state, const SwapObjective& objective) : state_(state), objective_(objective) {}
+  Swapper(MeshState& state, const SwapObjective& objective)
+      : Swapper(state, objective, state.complex.own_site(), nullptr) {}
+  /// One of several at the same time, see TetComplex::Site. `costs` keeps those of the tetrahedra that have
+  /// an entry, NaN where not known yet, for as long as nothing moves.
+  Swapper(MeshState& state, const SwapObjective& objective, TetComplex::Site& site,
+          std::vector<double>* costs)
+      : state_(state), objective_(objective), site_(site), costs_(costs) {}
 
   /// Removes the edge (a, b), which tetrahedron t has, if some other filling of its ring costs less.
   bool remove_edge(int a, int b, int t) {
     state_.complex.ring(a, b, t, ring_);
     return remove_ringed_edge(a, b);
   }
+  /// The same where ring() is that of the edge already.
+  bool remove_ringed_edge(int a, int b);
+  EdgeRing& ring() { return ring_; }
 
   /// Exchanges the face that t shares with its neighbour for an edge, if the three new tetrahedra cost less.
   bool remove_face(int t, int face);
-
-  /// Tries all edges and faces of the mesh once, unless `control` stops it; returns how many were swapped.
-  int pass(RunControl* control = nullptr);
 
   /// Tries the edges and faces of one tetrahedron until one is swapped.
   bool improve(int t);
 
  private:
-  /// Kept during a pass, which asks it of a tetrahedron for each of its edges and faces, and moves nothing.
   double cost_of(int t);
   /// Replaces `cavity` by filling_.
-  void replace(const std::vector<int>& cavity, const std::vector<LabelledFacet>& facets);
-  bool remove_ringed_edge(int a, int b);
+  bool replace(const std::vector<int>& cavity, const std::vector<LabelledFacet>& facets);
   bool remove_interface_edge(int a, int b);
   double best_filling(int from, int to, int a, int b);
   bool surface_allows(int a, int b, int c, int d, int label) const;
@@ -102,8 +105,9 @@ class Swapper {
 
   MeshState& state_;
   const SwapObjective& objective_;
+  TetComplex::Site& site_;
+  std::vector<double>* costs_;
 
-  std::vector<double> costs_;  // of the tetrahedra during a pass, NaN where not known yet
   EdgeRing ring_;
   double best_[kLargestRing + 1][kLargestRing + 1];
   int split_[kLargestRing + 1][kLargestRing + 1];

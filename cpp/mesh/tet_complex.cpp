@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "mesh/slot_set.hpp"
 #include "quality/tet_measures.hpp"
 
 namespace fgmesh {
@@ -20,12 +21,21 @@ std::array<int, 3> sorted(std::array<int, 3> v) {
   return v;
 }
 
+/// Which face of the tetrahedron has these vertices. Not told by its neighbours: those across its other faces
+/// may be another thread's business.
+int face_on(const Tet& tet, const std::array<int, 3>& vertices) {
+  int i = 0;
+  while (std::find(vertices.begin(), vertices.end(), tet.vertex[i]) != vertices.end()) ++i;
+  return i;
+}
+
 }  // namespace
 
 void TetComplex::build(const std::vector<NewTet>& tets, const std::vector<LabelledFacet>& facets,
                        int vertex_count) {
   tets_.clear();
-  free_.clear();
+  own_ = Site();
+  own_.may_grow_ = true;
   creases_.clear();
   tet_of_.assign(vertex_count, -1);
   tets_.reserve(tets.size());
@@ -37,7 +47,6 @@ void TetComplex::build(const std::vector<NewTet>& tets, const std::vector<Labell
     for (int v : tet.vertex) tet_of_[v] = t;
   }
   alive_ = static_cast<int>(tets_.size());
-  marks_.assign(tets_.size(), 0);
 
   struct Side {
     std::array<int, 3> vertex;
@@ -92,7 +101,7 @@ void TetComplex::find_pinched() {
 
 void TetComplex::pinch(int v) {
   std::vector<int>& all = pinched_[v];
-  for (int t : created_)
+  for (int t : created())
     if (tets_[t].has(v)) all.push_back(t);
 }
 
@@ -104,14 +113,16 @@ void TetComplex::star(int v, std::vector<int>& star) const {
   }
   const int first = tet_of_[v];
   if (first < 0) return;
-  const int stamp = fresh_stamp();
-  mark(first, stamp);
+  SlotSet met;
+  met.insert(first);
   star.push_back(first);
   for (std::size_t next = 0; next < star.size(); ++next) {
     const Tet& tet = tets_[star[next]];
     for (int i = 0; i < 4; ++i) {
+      // Across the face opposite another thread may be at work.
+      if (tet.vertex[i] == v) continue;
       const int other = tet.neighbour[i];
-      if (tet.vertex[i] != v && other >= 0 && mark(other, stamp)) star.push_back(other);
+      if (other >= 0 && met.insert(other)) star.push_back(other);
     }
   }
 }
@@ -175,54 +186,52 @@ int TetComplex::find_edge(int a, int b) const {
   return -1;
 }
 
-int TetComplex::new_slot() {
-  if (!free_.empty()) {
-    const int t = free_.back();
-    free_.pop_back();
+int TetComplex::new_slot(Site& site) {
+  if (!site.free_.empty()) {
+    const int t = site.free_.back();
+    site.free_.pop_back();
     return t;
   }
   tets_.emplace_back();
-  marks_.push_back(0);
   return static_cast<int>(tets_.size()) - 1;
 }
 
-int TetComplex::hole_entry(std::array<int, 3> vertices) {
+TetComplex::Site::HoleFace& TetComplex::Site::hole_face(std::array<int, 3> vertices) {
   vertices = sorted(vertices);
   const std::size_t mask = hole_table_.size() - 1;
   std::size_t place = (static_cast<std::size_t>(vertices[0]) * 73856093u) ^
                       (static_cast<std::size_t>(vertices[1]) * 19349663u) ^
                       (static_cast<std::size_t>(vertices[2]) * 83492791u);
   for (place &= mask; hole_table_[place] >= 0; place = (place + 1) & mask)
-    if (hole_[hole_table_[place]].vertex == vertices) return hole_table_[place];
+    if (hole_[hole_table_[place]].vertex == vertices) return hole_[hole_table_[place]];
   hole_table_[place] = static_cast<int>(hole_.size());
   hole_.push_back({vertices});
-  return hole_table_[place];
+  return hole_.back();
 }
 
-void TetComplex::replace(const std::vector<int>& cavity, const std::vector<NewTet>& filling,
-                         const std::vector<LabelledFacet>& facets) {
+bool TetComplex::replace(const std::vector<int>& cavity, const std::vector<NewTet>& filling,
+                         const std::vector<LabelledFacet>& facets, Site& site) {
+  if (!site.may_grow_ && site.free_.size() + cavity.size() < filling.size()) return false;
   std::size_t size = 64;
   while (size < 8 * (cavity.size() + filling.size())) size *= 2;
-  hole_table_.assign(size, -1);
-  hole_.clear();
+  site.hole_table_.assign(size, -1);
+  site.hole_.clear();
 
-  const int stamp = fresh_stamp();
-  for (int t : cavity) mark(t, stamp);
+  for (int t : cavity) tets_[t].solid = 0;
   for (int t : cavity) {
     for (int i = 0; i < 4; ++i) {
       const int outer = tets_[t].neighbour[i];
-      if (outer >= 0 && marked(outer, stamp)) continue;
-      HoleFace& face = hole_[hole_entry(face_of(tets_[t].vertex, i))];
+      if (outer >= 0 && !tets_[outer].alive()) continue;
+      Site::HoleFace& face = site.hole_face(face_of(tets_[t].vertex, i));
       face.label = tets_[t].label[i];
       if (outer < 0) continue;
-      std::array<int, 4>& back = tets_[outer].neighbour;
       face.tet = outer;
-      face.face = static_cast<int>(std::find(back.begin(), back.end(), t) - back.begin());
-      back[face.face] = -1;
+      face.face = face_on(tets_[outer], face.vertex);
+      tets_[outer].neighbour[face.face] = -1;
     }
   }
-  for (const LabelledFacet& facet : facets) hole_[hole_entry(facet.vertex)].label = facet.label;
-  for (const HoleFace& face : hole_)
+  for (const LabelledFacet& facet : facets) site.hole_face(facet.vertex).label = facet.label;
+  for (const Site::HoleFace& face : site.hole_)
     if (face.tet >= 0) tets_[face.tet].label[face.face] = face.label;
 
   for (int t : cavity) {
@@ -231,23 +240,22 @@ void TetComplex::replace(const std::vector<int>& cavity, const std::vector<NewTe
       if (const auto pinched = pinched_.find(v); pinched != pinched_.end())
         pinched->second.erase(std::find(pinched->second.begin(), pinched->second.end(), t));
     }
-    tets_[t].solid = 0;
-    free_.push_back(t);
+    site.free_.push_back(t);
   }
-  for (const HoleFace& face : hole_)
+  for (const Site::HoleFace& face : site.hole_)
     if (face.tet >= 0)
       for (int v : face.vertex) tet_of_[v] = face.tet;
-  created_.clear();
+  site.created_.clear();
   for (const NewTet& made : filling) {
-    const int t = new_slot();
-    created_.push_back(t);
+    const int t = new_slot(site);
+    site.created_.push_back(t);
     tets_[t] = Tet{made.vertex, {-1, -1, -1, -1}, {}, made.solid};
     for (int v : made.vertex) {
       tet_of_[v] = t;
       if (const auto pinched = pinched_.find(v); pinched != pinched_.end()) pinched->second.push_back(t);
     }
     for (int i = 0; i < 4; ++i) {
-      HoleFace& face = hole_[hole_entry(face_of(made.vertex, i))];
+      Site::HoleFace& face = site.hole_face(face_of(made.vertex, i));
       tets_[t].label[i] = face.label;
       if (face.tet >= 0) {
         tets_[t].neighbour[i] = face.tet;
@@ -258,7 +266,27 @@ void TetComplex::replace(const std::vector<int>& cavity, const std::vector<NewTe
       }
     }
   }
-  alive_ += static_cast<int>(filling.size()) - static_cast<int>(cavity.size());
+  const int more = static_cast<int>(filling.size()) - static_cast<int>(cavity.size());
+  (&site == &own_ ? alive_ : site.more_) += more;
+  return true;
+}
+
+std::vector<TetComplex::Site> TetComplex::part(const std::vector<int>& room) {
+  std::vector<Site> sites(room.size());
+  for (std::size_t i = 0; i < sites.size(); ++i)
+    while (static_cast<int>(sites[i].free_.size()) < room[i]) {
+      const int t = new_slot(own_);
+      sites[i].free_.push_back(t);
+    }
+  return sites;
+}
+
+void TetComplex::rejoin(std::vector<Site>& sites) {
+  for (auto site = sites.rbegin(); site != sites.rend(); ++site) {
+    own_.free_.insert(own_.free_.end(), site->free_.begin(), site->free_.end());
+    alive_ += site->more_;
+  }
+  sites.clear();
 }
 
 std::vector<std::array<int, 3>> TetComplex::creases() const {

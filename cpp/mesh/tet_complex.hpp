@@ -82,14 +82,54 @@ class TetComplex {
   /// Some tetrahedron that has the edge (a, b); -1 where the mesh has no such edge.
   int find_edge(int a, int b) const;
 
+  /// What one who changes the mesh needs of their own: free slots, and scratch space. Several may change it
+  /// at the same time, each in a thread, if no tetrahedron in a cavity of one has a vertex in common with one
+  /// in a cavity of another, and no vertex is pinched. See part().
+  class Site {
+   public:
+    /// The tetrahedra made by the last replace().
+    const std::vector<int>& created() const { return created_; }
+
+   private:
+    friend class TetComplex;
+    // A face of the hole that replace() fills: who stands behind it, and with which label.
+    struct HoleFace {
+      std::array<int, 3> vertex;  // sorted
+      int tet = -1, face = -1;    // the tetrahedron that waits for a neighbour here; -1: only a label
+      int label = 0;
+    };
+    HoleFace& hole_face(std::array<int, 3> vertices);
+
+    std::vector<int> free_;
+    bool may_grow_ = false;
+    int more_ = 0;  // tetrahedra made beyond those removed
+    std::vector<int> created_;
+    std::vector<HoleFace> hole_;
+    std::vector<int> hole_table_;  // open addressing into hole_; its size is a power of two
+  };
+
   /// Removes the tetrahedra `cavity` and fills the hole with `filling`. Labels on the hole's outer faces
   /// stay; `facets` are the labelled triangles that lie inside the cavity or on its part of the boundary
-  /// afterwards. The caller has made sure that the filling fits.
+  /// afterwards. The caller has made sure that the filling fits. False, and nothing is changed, where the
+  /// site has not slots enough.
+  bool replace(const std::vector<int>& cavity, const std::vector<NewTet>& filling,
+               const std::vector<LabelledFacet>& facets, Site& site);
+  /// The same at the site of those who work alone, which never lacks slots.
   void replace(const std::vector<int>& cavity, const std::vector<NewTet>& filling,
-               const std::vector<LabelledFacet>& facets);
+               const std::vector<LabelledFacet>& facets) {
+    replace(cavity, filling, facets, own_);
+  }
+  Site& own_site() { return own_; }
 
-  /// The tetrahedra made by the last replace().
-  const std::vector<int>& created() const { return created_; }
+  /// The tetrahedra made by the last replace() at the own site.
+  const std::vector<int>& created() const { return own_.created(); }
+
+  /// Sites for work at the same time, with `room[i]` free slots each; to be given back by rejoin() before any
+  /// other change. Until then tet_count() knows nothing of what they do.
+  std::vector<Site> part(const std::vector<int>& room);
+  void rejoin(std::vector<Site>& sites);
+  /// The slots that are free at a site, in the order in which it takes them.
+  static std::vector<int> free_slots(const Site& site) { return {site.free_.rbegin(), site.free_.rend()}; }
 
   /// EdgeN that the mesh edge (a, b) follows; 0: none.
   int crease(int a, int b) const {
@@ -109,45 +149,22 @@ class TetComplex {
   /// Every crease edge (a < b) with its EdgeN, sorted.
   std::vector<std::array<int, 3>> creases() const;
 
-  /// Stamps for traversals: a fresh stamp marks nothing.
-  int fresh_stamp() const { return ++stamp_; }
-  bool mark(int t, int stamp) const {
-    if (marks_[t] == stamp) return false;
-    marks_[t] = stamp;
-    return true;
-  }
-  bool marked(int t, int stamp) const { return marks_[t] == stamp; }
-
  private:
-  // A face of the hole that replace() fills: who stands behind it, and with which label.
-  struct HoleFace {
-    std::array<int, 3> vertex;  // sorted
-    int tet = -1, face = -1;    // the tetrahedron that waits for a neighbour here; -1: only a label
-    int label = 0;
-  };
-
   static std::uint64_t key(int a, int b) {
     if (a > b) std::swap(a, b);
     return (static_cast<std::uint64_t>(a) << 32) | static_cast<std::uint32_t>(b);
   }
   template <class Accept>
   bool walk_ring(int a, int b, int t, EdgeRing& ring, const Accept& accept) const;
-  int new_slot();
+  int new_slot(Site& site);
   void find_pinched();
-  int hole_entry(std::array<int, 3> vertices);
 
   std::vector<Tet> tets_;
   std::vector<int> tet_of_;
   std::unordered_map<int, std::vector<int>> pinched_;  // all tetrahedra of each
-  std::vector<int> free_;
   std::unordered_map<std::uint64_t, int> creases_;
   int alive_ = 0;
-
-  std::vector<int> created_;
-  std::vector<HoleFace> hole_;
-  std::vector<int> hole_table_;  // open addressing into hole_; its size is a power of two
-  mutable std::vector<int> marks_;
-  mutable int stamp_ = 0;
+  Site own_;
 };
 
 }  // namespace fgmesh

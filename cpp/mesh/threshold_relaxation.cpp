@@ -1,14 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/threshold_relaxation.hpp"
 
+#include "mesh/blocks.hpp"
 #include "mesh/stretch.hpp"
 
 namespace fgmesh {
 namespace {
 
+/// What the tetrahedra ask of a vertex.
 struct Request {
   Vec3 way = Vec3::Zero();
   int count = 0;
+};
+
+/// What one tetrahedron asks of the two of its vertices that are farthest apart: to move towards each other.
+struct Pull {
+  std::array<int, 2> vertex{-1, -1};  // -1: nothing
+  std::array<Vec3, 2> way;
+  bool above = false;  // the threshold
 };
 
 /// The two vertices between which the composition differs most.
@@ -26,27 +35,43 @@ std::array<int, 2> farthest_apart(const MeshState& state, const Tet& tet, int ma
   return result;
 }
 
+Pull pull_of(const MeshState& state, int t, double aim) {
+  Pull pull;
+  const Tet& tet = state.complex.tet(t);
+  if (!tet.alive()) return pull;
+  const int material = state.material(t);
+  const auto [a, b] = farthest_apart(state, tet, material);
+  const Composition &from = state.vertices[a].in(material).composition,
+                    &to = state.vertices[b].in(material).composition;
+  const double variation = difference(from, to);
+  pull.above = variation > state.threshold();
+  if (variation <= aim) return pull;
+  const double longest = 0.2 * (state.position(b) - state.position(a)).norm();
+  for (int i = 0; i < 2; ++i) {
+    const int v = i == 0 ? a : b;
+    const Vec3 gradient = gradient_towards(state.vertices[v].in(material).gradient, from, to);
+    const double slope = gradient.norm();
+    if (!(slope > 0.0)) continue;
+    const double step = std::min(longest, 0.5 * (variation - aim) / slope);
+    pull.vertex[i] = v;
+    pull.way[i] = (i == 0 ? step : -step) / slope * gradient;
+  }
+  return pull;
+}
+
 std::vector<Request> gather(const MeshState& state, double aim, int& above) {
+  std::vector<Pull> pulls(state.complex.slots());
+  for_ranges_at_once(pulls.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) pulls[t] = pull_of(state, static_cast<int>(t), aim);
+  });
   std::vector<Request> requests(state.vertices.size());
   above = 0;
-  for (int t = 0; t < state.complex.slots(); ++t) {
-    const Tet& tet = state.complex.tet(t);
-    if (!tet.alive()) continue;
-    const int material = state.material(t);
-    const auto [a, b] = farthest_apart(state, tet, material);
-    const Composition &from = state.vertices[a].in(material).composition,
-                      &to = state.vertices[b].in(material).composition;
-    const double variation = difference(from, to);
-    if (variation > state.threshold()) ++above;
-    if (variation <= aim) continue;
-    for (const int v : {a, b}) {
-      const Vec3 gradient = gradient_towards(state.vertices[v].in(material).gradient, from, to);
-      const double slope = gradient.norm();
-      if (!(slope > 0.0)) continue;
-      const double longest = 0.2 * (state.position(b) - state.position(a)).norm();
-      const double step = std::min(longest, 0.5 * (variation - aim) / slope);
-      requests[v].way += (v == a ? step : -step) / slope * gradient;
-      ++requests[v].count;
+  for (const Pull& pull : pulls) {
+    above += pull.above;
+    for (int i = 0; i < 2; ++i) {
+      if (pull.vertex[i] < 0) continue;
+      requests[pull.vertex[i]].way += pull.way[i];
+      ++requests[pull.vertex[i]].count;
     }
   }
   return requests;
@@ -75,11 +100,9 @@ int relax_threshold(MeshState& state, double aim, RunControl& control) {
   constexpr double kFlat = 4e-3;  // a regular tetrahedron has 0.048
   int above = 0;
   const std::vector<Request> requests = gather(state, aim, above);
-  std::vector<int> star;
-  for (int v = 0; v < state.complex.vertex_slots(); ++v) {
-    if (v % 512 == 0) control.check();
+  sweep_vertices(state, control, [&](int v, std::vector<int>& star) {
     const Vertex& vertex = state.vertices[v];
-    if (requests[v].count == 0 || state.complex.tet_at(v) < 0 || vertex.is_fixed()) continue;
+    if (requests[v].count == 0 || vertex.is_fixed()) return;
     state.complex.star(v, star);
     const StarState before = star_state(state, v, vertex, star);
     const Vec3 way = requests[v].way / requests[v].count;
@@ -92,7 +115,7 @@ int relax_threshold(MeshState& state, double aim, RunControl& control) {
       state.vertices[v] = *moved;
       break;
     }
-  }
+  });
   return above;
 }
 

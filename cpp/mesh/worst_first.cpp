@@ -3,181 +3,28 @@
 
 #include <boost/container_hash/hash.hpp>
 
-#include "mesh/edge_collapse.hpp"
-#include "mesh/edge_split.hpp"
-#include "mesh/odt_smoothing.hpp"
+#include "mesh/blocks.hpp"
 
 namespace fgmesh {
 namespace {
-
-/// A change of the connectivity is worth it where the worst score around it rises by this.
-constexpr double kClearly = 0.01;
 
 /// Many bad tetrahedra of which a round leaves so large a part are forced by the shape: a thin wall.
 constexpr std::size_t kFew = 50;
 constexpr double kHopeless = 0.95;
 
-/// Moves the value by `step`, to first order.
-void foretell(MaterialValue& value, const Vec3& step) {
-  for (std::size_t i = 0; i < value.composition.size(); ++i)
-    value.composition[i] += value.gradient[i].dot(step);
-}
-
 }  // namespace
 
 std::vector<int> WorstFirst::bad_tets(double least) const {
-  std::vector<std::pair<double, int>> found;
-  for (int t = 0; t < state_.complex.slots(); ++t) {
-    if (!state_.complex.tet(t).alive()) continue;
-    const double score = score_(t);
-    if (score < least) found.emplace_back(score, t);
-  }
-  std::sort(found.begin(), found.end());
+  std::vector<double> scores(state_.complex.slots(), 1.0);
+  for_ranges_at_once(scores.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t)
+      if (state_.complex.tet(t).alive()) scores[t] = score_(static_cast<int>(t));
+  });
   std::vector<int> tets;
-  tets.reserve(found.size());
-  for (const auto& [score, t] : found) tets.push_back(t);
+  for (int t = 0; t < state_.complex.slots(); ++t)
+    if (scores[t] < least) tets.push_back(t);
+  std::stable_sort(tets.begin(), tets.end(), [&](int a, int b) { return scores[a] < scores[b]; });
   return tets;
-}
-
-Vec3 WorstFirst::random_direction() {
-  // Numerical Recipes' linear congruence: the same on every machine, unlike the library's distributions.
-  const auto next = [&] {
-    random_ = 1664525u * random_ + 1013904223u;
-    return static_cast<double>(random_ >> 8) / 8388608.0 - 1.0;
-  };
-  Vec3 direction;
-  do {
-    direction = Vec3(next(), next(), next());
-  } while (direction.squaredNorm() > 1.0 || direction.squaredNorm() < 0.01);
-  return direction.normalized();
-}
-
-double WorstFirst::star_score(int v, const Vertex& moved, double stop_below) const {
-  double worst = 1.0;
-  for (int t : star_) {
-    worst = std::min(worst, score_.with(t, v, moved));
-    if (worst <= stop_below) break;
-  }
-  return worst;
-}
-
-/// Whether the worst score around a boundary vertex would rise if its face or edge were flat: the true one is
-/// slow to ask.
-bool WorstFirst::is_promising(int v, const Vec3& way, double best) const {
-  Vertex moved = state_.vertices[v];
-  const Vec3& direction = moved.direction;
-  if (moved.carrier.dimension == 3 || direction.isZero()) return true;
-  const Vec3 along = direction.dot(way) * direction;
-  const Vec3 step = moved.carrier.dimension == 1 ? along : Vec3(way - along);
-  moved.position += step;
-  foretell(moved.own, step);
-  for (MaterialValue& other : moved.others) foretell(other, step);
-  return star_score(v, moved, best) > best;
-}
-
-bool WorstFirst::improve_vertex(int v) {
-  if (state_.vertices[v].frozen || state_.vertices[v].is_fixed()) return false;
-  state_.complex.star(v, star_);
-  double best = 1.0, length = 0.0;
-  int worst_tet = -1, edges = 0;
-  for (int t : star_) {
-    const double score = score_(t);
-    if (score < best) {
-      best = score;
-      worst_tet = t;
-    }
-    for (int w : state_.complex.tet(t).vertex) {
-      length += (state_.position(w) - state_.position(v)).norm();
-      edges += w != v;
-    }
-  }
-  if (worst_tet < 0) return false;
-  length /= edges;
-
-  const Tet& worst = state_.complex.tet(worst_tet);
-  const int* base = kFaceVertices[worst.index_of(v)];
-  const Vec3 away =
-      -area_vector(state_.position(worst.vertex[base[0]]), state_.position(worst.vertex[base[1]]),
-                   state_.position(worst.vertex[base[2]]))
-           .normalized();
-  const Vec3 gradient = steepest(state_.vertices[v].own.gradient).normalized();
-  const Vec3 centre = odt_target(state_, v, star_) - state_.position(v);
-
-  bool improved = false;
-  for (double step = 0.3 * length; step > 0.02 * length; step *= 0.5) {
-    const std::array<Vec3, 7> ways = {away * step,
-                                      gradient * step,
-                                      gradient * -step,
-                                      centre * (step / length),
-                                      random_direction() * step,
-                                      random_direction() * step,
-                                      random_direction() * step};
-    for (const Vec3& way : ways) {
-      if (!way.allFinite() || !is_promising(v, way, best)) continue;
-      const std::optional<Vertex> moved = state_.moved(state_.vertices[v], state_.position(v) + way);
-      if (!moved) continue;
-      // The true surface is slow to ask.
-      const double score = star_score(v, *moved, best);
-      if (score <= best + 1e-6 * std::abs(best) || !keeps_surface(state_, v, *moved, star_)) continue;
-      const double size = state_.vertices[v].size;
-      state_.vertices[v] = *moved;
-      state_.vertices[v].size = size;
-      best = score;
-      improved = true;
-    }
-    if (best >= 1.0) break;
-  }
-  return improved;
-}
-
-bool WorstFirst::collapse(int t) {
-  const std::array<int, 4> vertices = state_.complex.tet(t).vertex;
-  for (int v : vertices) {
-    state_.complex.star(v, star_);
-    double least = 1.0;
-    for (int at : star_) least = std::min(least, score_(at));
-    for (int w : vertices)
-      if (w != v && collapse_edge(state_, v, w, score_, least + kClearly)) return true;
-  }
-  return false;
-}
-
-bool WorstFirst::insert_vertex(int t) {
-  // Best inside, between two boundary vertices: that frees a tetrahedron squeezed flat against the boundary.
-  const Tet tet = state_.complex.tet(t);
-  Vec3 inward = Vec3::Zero();
-  for (int i = 0; i < 4; ++i)
-    if (tet.label[i])
-      inward -= area_vector(state_.position(tet.vertex[kFaceVertices[i][0]]),
-                            state_.position(tet.vertex[kFaceVertices[i][1]]),
-                            state_.position(tet.vertex[kFaceVertices[i][2]]))
-                    .normalized();
-  for (const auto& [i, j] : kEdgeVertices) {
-    const int a = tet.vertex[i], b = tet.vertex[j];
-    const Vec3 middle = 0.5 * (state_.position(a) + state_.position(b));
-    const double length = (state_.position(a) - state_.position(b)).norm();
-    for (double step : {0.3, 0.15, 0.6}) {
-      const std::array<Vec3, 3> ways = {inward, random_direction(), random_direction()};
-      for (const Vec3& way : ways)
-        if (insert_beside_edge(state_, a, b, middle + step * length * way, score_, kClearly)) return true;
-    }
-  }
-  return false;
-}
-
-bool WorstFirst::mend(int t, Swapper& swapper) {
-  if (swapper.improve(t)) return true;
-  const double before = score_(t);
-  bool any = false;
-  const std::array<int, 4> vertices = state_.complex.tet(t).vertex;
-  for (int v : vertices) {
-    any |= improve_vertex(v);
-    if (score_(t) >= 1.0) return true;
-  }
-  // Moves that gain next to nothing would keep the new vertex away for ever.
-  if (any && score_(t) > before + kClearly) return true;
-  if (collapse(t)) return true;
-  return (may_insert_ && insert_vertex(t)) || any;
 }
 
 /// A hash of the vertices of a tetrahedron and its neighbours and of their places: while it stays the same,
@@ -197,25 +44,76 @@ std::size_t WorstFirst::surroundings(int t) const {
   return hash;
 }
 
+template <class IsDue>
+WorstFirst::Outcome WorstFirst::mend(const std::vector<int>& tets, TetMender& mender, bool all_hope,
+                                     const IsDue& is_due, RunControl& control) const {
+  Outcome outcome;
+  int polls = 0;
+  for (int t : tets) {
+    if (++polls % 64 == 0) control.check();
+    // Earlier changes may have mended it, or put another tetrahedron into its slot: both are told by its
+    // score.
+    const Tet& tet = state_.complex.tet(t);
+    if (!tet.alive() || !is_due(tet) || score_(t) >= 1.0) continue;
+    const std::size_t place = surroundings(t);
+    if (!all_hope && hopeless_.count(place)) continue;
+    if (mender.mend(t, may_insert_))
+      outcome.any = true;
+    else
+      outcome.hopeless.push_back(place);
+  }
+  return outcome;
+}
+
+/// Mends what is inside blocks of the mesh, some at the same time. Returns what is left.
+std::vector<int> WorstFirst::mend_at_once(const std::vector<int>& bad, bool& any, RunControl& control) {
+  TetComplex& complex = state_.complex;
+  const Blocks blocks(state_);
+  std::vector<int> rest = bad;
+  for (int cut = 0; cut < blocks.last_cut(); ++cut) {
+    // Of a collapse along a crease others would have to know.
+    const auto is_inside = [&](const Tet& tet) {
+      return std::all_of(tet.vertex.begin(), tet.vertex.end(), [&](int v) {
+        return blocks.is_inner(cut, v) && state_.vertices[v].carrier.dimension > 1;
+      });
+    };
+    std::vector<std::vector<int>> members(blocks.count(cut));
+    std::vector<int> others;
+    for (int t : rest) {
+      const Tet& tet = complex.tet(t);
+      if (tet.alive()) (is_inside(tet) ? members[blocks.at(cut, tet.vertex[0])] : others).push_back(t);
+    }
+    std::vector<int> room;
+    for (const std::vector<int>& tets : members) room.push_back(32 + static_cast<int>(tets.size()));
+    std::vector<TetComplex::Site> sites = complex.part(room);
+    std::vector<Outcome> outcomes(members.size());
+    const std::uint32_t seed = seeds_;
+    for_each_at_once(static_cast<int>(members.size()), [&](int block) {
+      TetMender mender(state_, score_, sites[block], seed + block);
+      outcomes[block] = mend(members[block], mender, false, is_inside, control);
+    });
+    seeds_ += static_cast<std::uint32_t>(members.size());
+    complex.rejoin(sites);
+    for (const Outcome& outcome : outcomes) any |= note(outcome);
+    rest = std::move(others);
+  }
+  return rest;
+}
+
+bool WorstFirst::note(const Outcome& outcome) {
+  hopeless_.insert(outcome.hopeless.begin(), outcome.hopeless.end());
+  return outcome.any;
+}
+
 int WorstFirst::run(int rounds, RunControl& control) {
-  const WorstScore objective(score_);
-  Swapper swapper(state_, objective);
   std::vector<int> bad = bad_tets();
   for (int round = 0; round < rounds && !bad.empty(); ++round) {
     bool any = false;
-    int polls = 0;
-    for (int t : bad) {
-      if (++polls % 64 == 0) control.check();
-      // Earlier changes may have mended it, or put another tetrahedron into its slot: both are told by its
-      // score.
-      if (!state_.complex.tet(t).alive() || score_(t) >= 1.0) continue;
-      const std::size_t place = surroundings(t);
-      if (bad.size() > kFew && hopeless_.count(place)) continue;
-      if (mend(t, swapper))
-        any = true;
-      else
-        hopeless_.insert(place);
-    }
+    const bool are_few = bad.size() <= kFew;
+    // Whoever adds a vertex works alone.
+    const std::vector<int> rest = are_few || may_insert_ ? bad : mend_at_once(bad, any, control);
+    any |= note(mend(
+        rest, alone_, are_few, [](const Tet&) { return true; }, control));
     const std::size_t before = bad.size();
     bad = bad_tets();
     if (!any || (bad.size() > kFew && bad.size() > kHopeless * before)) break;

@@ -7,6 +7,7 @@
 
 #include "brep/brep_model.hpp"
 #include "core/error.hpp"
+#include "core/parallel.hpp"
 #include "mesh/geometry_refinement.hpp"
 #include "mesh/material_refinement.hpp"
 #include "mesh/second_order.hpp"
@@ -168,10 +169,8 @@ double refine_to_volume(MeshState& state, GeometryRefinementOptions refinement, 
   return refinement.deviation;
 }
 
-}  // namespace
-
-MeshingResult generate_mesh(const std::string& shape, const std::vector<const CompositionField*>& given,
-                            const MeshingOptions& asked, RunControl& control) {
+MeshingResult run(const std::string& shape, const std::vector<const CompositionField*>& given,
+                  const MeshingOptions& asked, RunControl& control) {
   MeshingStart start(shape, given, asked, control);
   BrepModel& model = start.model;
   MeshState& state = start.state;
@@ -209,6 +208,16 @@ MeshingResult generate_mesh(const std::string& shape, const std::vector<const Co
   finish(result, model, start.samples, bridged, state.materials(), options);
   put_volumes(model, result);
   use_given_numbers(result, model.origins());
+  result.threads = threads_in_use();
+  return result;
+}
+
+}  // namespace
+
+MeshingResult generate_mesh(const std::string& shape, const std::vector<const CompositionField*>& materials,
+                            const MeshingOptions& options, RunControl& control) {
+  MeshingResult result;
+  with_threads(options.threads, [&] { result = run(shape, materials, options, control); });
   return result;
 }
 

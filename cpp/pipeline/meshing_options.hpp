@@ -27,7 +27,8 @@ struct MeshingOptions {
   int order = 1;
   /// "initial", "material" or "geometry": the last stage to run.
   std::string stop_after = "geometry";
-  /// 0: all processors. Without effect yet: one is used.
+  /// At most as many are used, and no more than there are processors; 0: all of them. The mesh does not depend on
+  /// it.
   int threads = 0;
   /// Of random choices; without effect, since nothing is left to chance.
   std::uint32_t seed = 0;

@@ -132,7 +132,7 @@ def _add_run(group, defaults):
         "--threads",
         metavar="N",
         type=whole(0, 2**31 - 1),
-        help="number of threads; without effect yet, one is used",
+        help="number of threads at most (default: all processors); the mesh does not depend on it",
     )
     add("--seed", metavar="N", type=whole(0, 2**32 - 1), help=f"random seed (default {defaults.seed})")
     add("--time-limit", metavar="S", type=limit, default=0.0, help="stop after so many seconds")

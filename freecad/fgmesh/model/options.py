@@ -80,7 +80,7 @@ OPTIONS = (
         "Threads",
         "threads",
         "App::PropertyInteger",
-        TRANSLATE_LATER("FGMesh", "Processors to use; without effect yet, one is used"),
+        TRANSLATE_LATER("FGMesh", "Processors to use at most, 0 for all; the mesh does not depend on it"),
         shapes_mesh=False,
     ),
     Option(

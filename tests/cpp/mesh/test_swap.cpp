@@ -10,7 +10,7 @@
 #include <set>
 #include <vector>
 
-#include "mesh/swap.hpp"
+#include "mesh/swap_pass.hpp"
 #include "mesh_checks.hpp"
 #include "quality/mesh_statistics.hpp"
 #include "quality/validity.hpp"
@@ -53,15 +53,15 @@ double least_energy(const MeshState& state) {
 class OdtSwaps : public testing::TestWithParam<unsigned> {};
 
 TEST_P(OdtSwaps, LowerTheEnergyUntilTheMeshIsDelaunay) {
+  RunControl control;
   test::GridMesh mesh(2.0, 4);
   mesh.shake(0.3, GetParam());
   const OdtEnergy objective(mesh.state);
-  Swapper swapper(mesh.state, objective);
   double energy = energy_of(mesh.state);
   const double least = least_energy(mesh.state);
   ASSERT_GT(energy, 1.001 * least) << "already Delaunay: nothing is tested";
   for (int pass = 0; pass < 30; ++pass) {
-    const int swaps = swapper.pass();
+    const int swaps = swap_pass(mesh.state, objective, control);
     const double after = energy_of(mesh.state);
     EXPECT_LE(after, energy * (1.0 + 1e-12));
     ASSERT_EQ(test::find_fault(mesh.state, mesh.solid), "");
@@ -75,25 +75,25 @@ TEST_P(OdtSwaps, LowerTheEnergyUntilTheMeshIsDelaunay) {
 INSTANTIATE_TEST_SUITE_P(Seed, OdtSwaps, testing::Range(1u, 7u));
 
 TEST(Swapper, DoesNotTouchWhatIsDelaunay) {
+  RunControl control;
   test::GridMesh mesh(2.0, 3);
   mesh.shake(0.3, 3);
   const OdtEnergy objective(mesh.state);
-  Swapper swapper(mesh.state, objective);
-  while (swapper.pass() > 0) continue;
+  while (swap_pass(mesh.state, objective, control) > 0) continue;
   const auto before = mesh.state.to_tet_mesh().tets;
-  EXPECT_EQ(swapper.pass(), 0);
+  EXPECT_EQ(swap_pass(mesh.state, objective, control), 0);
   EXPECT_EQ(mesh.state.to_tet_mesh().tets, before);
 }
 
 TEST(Swapper, MakesNothingThatVariesMoreThanAllowed) {
+  RunControl control;
   constexpr double kMost = 0.35;
   test::GridMesh mesh(2.0, 4, test::linear(Vec3(0.5, 0, 0)), kMost);
   mesh.shake(0.15, 5);
   ASSERT_LT(test::largest_variation(mesh.state), kMost) << "nothing may be above at the start";
   const OdtEnergy free(mesh.state), bounded(mesh.state, kMost);
-  Swapper swapper(mesh.state, bounded);
   int swaps = 0;
-  for (int pass = 0; pass < 10; ++pass) swaps += swapper.pass();
+  for (int pass = 0; pass < 10; ++pass) swaps += swap_pass(mesh.state, bounded, control);
   EXPECT_GT(swaps, 0);
   EXPECT_LE(test::largest_variation(mesh.state), kMost);
 }
@@ -148,6 +148,7 @@ std::set<std::array<int, 3>> interface_triangles(const TetMesh& mesh) {
 class SwapsAtAnInterface : public testing::TestWithParam<unsigned> {};
 
 TEST_P(SwapsAtAnInterface, KeepItAndTheSolidsAndLowerTheEnergy) {
+  RunControl control;
   const TwoBoxes solid;
   const test::FunctionField field = test::constant(0.5);
   MeshState state(solid, field, 0.1, 3.0);
@@ -158,10 +159,9 @@ TEST_P(SwapsAtAnInterface, KeepItAndTheSolidsAndLowerTheEnergy) {
   if (GetParam() > 0) shake(state, 0.15, GetParam());
   const auto before = interface_triangles(state.to_tet_mesh());
   const OdtEnergy objective(state);
-  Swapper swapper(state, objective);
   double energy = energy_of(state);
   for (int pass = 0; pass < 6; ++pass) {
-    swapper.pass();
+    swap_pass(state, objective, control);
     ASSERT_EQ(test::find_fault(state, solid), "");
     EXPECT_LE(energy_of(state), energy * (1.0 + 1e-12));
     energy = energy_of(state);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "mesh/slot_set.hpp"
 #include "mesh/tet_complex.hpp"
 #include "mesh_checks.hpp"
 
@@ -267,14 +268,48 @@ TEST(Creases, AreFoundFromBothEndsAndListedInOrder) {
   EXPECT_EQ(complex.creases(), (List{{0, 5, 12}}));
 }
 
-TEST(Stamps, MarkNothingWhenFresh) {
-  const TetComplex complex = built(fan(3, true), 5);
-  const int first = complex.fresh_stamp();
-  EXPECT_TRUE(complex.mark(1, first));
-  EXPECT_FALSE(complex.mark(1, first));
-  EXPECT_TRUE(complex.marked(1, first));
-  const int second = complex.fresh_stamp();
-  for (int t = 0; t < 3; ++t) EXPECT_FALSE(complex.marked(t, second));
+TEST(Sites, ChangeTheirPartsOfTheMeshWithSlotsOfTheirOwn) {
+  // Two of the fans side by side, of which each site fills one anew.
+  std::vector<NewTet> tets = kTwo;
+  for (NewTet tet : kTwo) {
+    for (int& v : tet.vertex) v += 5;
+    tets.push_back(tet);
+  }
+  std::vector<NewTet> three = kThree;
+  for (NewTet& tet : three)
+    for (int& v : tet.vertex) v += 5;
+  TetComplex complex = built(tets, 10);
+  std::vector<TetComplex::Site> sites = complex.part({1, 2});
+  EXPECT_TRUE(complex.replace({0, 1}, kThree, {}, sites[0]));
+  EXPECT_TRUE(complex.replace({2, 3}, three, {}, sites[1]));
+  EXPECT_EQ(TetComplex::free_slots(sites[0]).size(), 0u);
+  EXPECT_EQ(TetComplex::free_slots(sites[1]).size(), 1u);
+  complex.rejoin(sites);
+  EXPECT_EQ(complex.tet_count(), 6);
+  EXPECT_EQ(find_fault(complex), "");
+  EXPECT_GE(complex.find_edge(3, 4), 0);
+  EXPECT_GE(complex.find_edge(8, 9), 0);
+}
+
+TEST(Sites, RefuseWhatTheyHaveNoSlotsFor) {
+  TetComplex complex = built(kTwo, 5);
+  std::vector<TetComplex::Site> sites = complex.part({0});
+  EXPECT_FALSE(complex.replace({0, 1}, kThree, {}, sites[0]));
+  complex.rejoin(sites);
+  EXPECT_EQ(complex.tet_count(), 2);
+  EXPECT_EQ(complex.find_edge(3, 4), -1);
+  EXPECT_EQ(find_fault(complex), "");
+}
+
+TEST(SlotSet, HoldsWhatWasPutInHoweverMuch) {
+  SlotSet met;
+  std::set<int> expected;
+  for (int i = 0; i < 1000; ++i) {
+    const int slot = i * i * 31 % 1777;
+    EXPECT_EQ(met.contains(slot), expected.count(slot) == 1);
+    EXPECT_EQ(met.insert(slot), expected.insert(slot).second);
+  }
+  for (int slot = 0; slot < 1777; ++slot) EXPECT_EQ(met.contains(slot), expected.count(slot) == 1);
 }
 
 }  // namespace

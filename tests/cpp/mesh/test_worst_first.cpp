@@ -66,11 +66,11 @@ TEST_P(WorstFirstRun, NeverLowersTheWorstScore) {
 
 INSTANTIATE_TEST_SUITE_P(Seed, WorstFirstRun, testing::Range(1u, 5u));
 
-TEST(WorstFirst, ImprovesAVertexOnlyForTheBetter) {
+TEST(TetMender, ImprovesAVertexOnlyForTheBetter) {
   test::GridMesh mesh(2.0, 4);
   mesh.shake(0.45, 12);
   const TetScore score(mesh.state, {40.0, 120.0, false});
-  WorstFirst mender(mesh.state, score);
+  TetMender mender(mesh.state, score, mesh.state.complex.own_site(), 1);
   std::vector<int> star;
   int improved = 0;
   for (int v = 0; v < mesh.state.complex.vertex_slots(); ++v) {
