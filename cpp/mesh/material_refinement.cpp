@@ -24,12 +24,35 @@ void grow(MeshState& state, const MaterialRefinementOptions& options, RunControl
   const double limit = options.growth_limit * state.threshold();
   constexpr int kMostRounds = 60;
   constexpr double kDone = 0.002;  // new points a tetrahedron
+  // Memory is in order as long as the mesh has not grown by this factor.
+  constexpr double kGrown = 1.5;
+  constexpr std::size_t kMany = 16384;  // vertices; fewer fit into caches
+  std::size_t sorted = kMany;
   for (int round = 0; round < kMostRounds; ++round) {
+    if (state.vertices.size() > kGrown * sorted) {
+      state.sort_by_place();
+      sorted = state.vertices.size();
+    }
     control.report(0.6 * round / (round + 8.0), state.complex.tet_count());
     resolve_boundary(state, options.sizing.min_size, control);
     const int room = std::max(0, options.most_tets - state.complex.tet_count());
     const int inserted = insert_steiner_points(state, limit, options.sizing.min_size, room, control);
     if (inserted < kDone * state.complex.tet_count()) break;
+    smooth(state, options, options.growth_sweeps, 1.0, control);
+  }
+}
+
+/// Where growing ends few tetrahedra are far above the threshold. Where many are a little above, no moves
+/// help: adds points until there are as few as relaxation copes with.
+void thicken(MeshState& state, const MaterialRefinementOptions& options, RunControl& control) {
+  const double limit = 1.2 * state.threshold();
+  constexpr int kMostRounds = 20;
+  constexpr double kMany = 0.15;  // of the tetrahedra
+  constexpr int kRelieved = 8;    // tetrahedra that a point relieves
+  for (int round = 0; round < kMostRounds; ++round) {
+    const int above = count_above(state, limit);
+    if (above < kMany * state.complex.tet_count() || state.complex.tet_count() >= options.most_tets) break;
+    if (insert_steiner_points(state, limit, options.sizing.min_size, above / kRelieved, control) == 0) break;
     smooth(state, options, options.growth_sweeps, 1.0, control);
   }
 }
@@ -49,22 +72,30 @@ void refine_material(MeshState& state, const MaterialRefinementOptions& options,
   control.report(0.0, state.complex.tet_count());
   smooth(state, options, options.growth_sweeps, 1.0, control);
   grow(state, options, control);
+  thicken(state, options, control);
   smooth(state, options, options.final_sweeps, 1.0, control);
 
   const TetScore score(state, options.goal);
   WorstFirst mender(state, score);
   constexpr int kMostRounds = 20;
-  constexpr double kMany = 0.002;  // of the tetrahedra; fewer than that are mended better one by one
-  for (int round = 0; round < kMostRounds; ++round) {
-    if (round == 0 || count_above(state, state.threshold()) > kMany * state.complex.tet_count())
+  constexpr double kMany = 0.002;    // of the tetrahedra; fewer than that are mended better one by one
+  constexpr double kTooMany = 0.45;  // more than that are not worth mending before there are more points
+  for (int round = 0; round < kMostRounds && state.complex.tet_count() < options.most_tets; ++round) {
+    int above = count_above(state, state.threshold());
+    if (round == 0 || above > kMany * state.complex.tet_count()) {
       relax(state, options, control);
-    const int left = mender.run(3, control);
-    const int above = count_above(state, state.threshold());
+      above = count_above(state, state.threshold());
+    }
+    // Only into a part of the tetrahedra: each point relieves its neighbours too.
+    int points = above / 32;
+    const bool are_too_many = above > kTooMany * state.complex.tet_count();
+    if (!are_too_many) {
+      if (mender.run(3, control) == 0) break;
+      points = std::max(8, count_above(state, state.threshold()) / 4);
+    }
     control.report(0.6 + 0.4 * (round + 1) / kMostRounds, state.complex.tet_count());
-    if (left == 0 || state.complex.tet_count() >= options.most_tets) break;
-    // Only into a part of them: each point relieves its neighbours too.
-    const std::size_t most = std::max(8, above / 4);
-    if (insert_steiner_points(state, state.threshold(), options.sizing.min_size, most, control) == 0) break;
+    if (insert_steiner_points(state, state.threshold(), options.sizing.min_size, points, control) == 0) break;
+    if (are_too_many) smooth(state, options, options.growth_sweeps, 1.0, control);
   }
   mender.run(10, control);
 }

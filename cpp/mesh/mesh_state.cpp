@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/mesh_state.hpp"
 
+#include <CGAL/Spatial_sort_traits_adapter_3.h>
+#include <CGAL/hilbert_sort.h>
+
 #include <algorithm>
 #include <numeric>
 #include <sstream>
@@ -34,6 +37,29 @@ template <class IsFraction>
        << (wrong == fractions.end() ? "min(..., 1 - ...)" : "clamp(..., 0, 1)");
   throw InvalidInput(text.str());
 }
+
+/// What CGAL::hilbert_sort() asks of places.
+struct PlaceTraits {
+  using Point_3 = Vec3;
+  template <int axis>
+  struct Less {
+    bool operator()(const Vec3& a, const Vec3& b) const { return a[axis] < b[axis]; }
+  };
+  using Less_x_3 = Less<0>;
+  using Less_y_3 = Less<1>;
+  using Less_z_3 = Less<2>;
+  Less_x_3 less_x_3_object() const { return {}; }
+  Less_y_3 less_y_3_object() const { return {}; }
+  Less_z_3 less_z_3_object() const { return {}; }
+};
+struct PlaceOf {
+  using key_type = int;
+  using value_type = Vec3;
+  using reference = const Vec3&;
+  using category = boost::readable_property_map_tag;
+  friend reference get(const PlaceOf& map, int v) { return (*map.vertices)[v].position; }
+  const std::vector<Vertex>* vertices;
+};
 
 }  // namespace
 
@@ -288,6 +314,24 @@ int MeshState::label_at(int a, int b, const EdgeRing& ring) const {
 int MeshState::add(const Vertex& vertex) {
   vertices.push_back(vertex);
   return complex.add_vertex();
+}
+
+void MeshState::sort_by_place() {
+  std::vector<int> order;
+  order.reserve(vertices.size());
+  for (int v = 0; v < complex.vertex_slots(); ++v)
+    if (complex.tet_at(v) >= 0) order.push_back(v);
+  using Traits = CGAL::Spatial_sort_traits_adapter_3<PlaceTraits, PlaceOf>;
+  CGAL::hilbert_sort(order.begin(), order.end(), Traits(PlaceOf{&vertices}));
+  std::vector<int> place(vertices.size(), -1);
+  std::vector<Vertex> sorted;
+  sorted.reserve(order.size());
+  for (int v : order) {
+    place[v] = static_cast<int>(sorted.size());
+    sorted.push_back(std::move(vertices[v]));
+  }
+  vertices = std::move(sorted);
+  complex.renumber(place);
 }
 
 TetMesh MeshState::to_tet_mesh(std::vector<int>* vertex_order) const {

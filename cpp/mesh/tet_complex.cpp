@@ -289,6 +289,47 @@ void TetComplex::rejoin(std::vector<Site>& sites) {
   sites.clear();
 }
 
+void TetComplex::renumber(const std::vector<int>& place) {
+  std::vector<std::pair<int, int>> order;  // lowest vertex, slot
+  order.reserve(alive_);
+  for (int t = 0; t < slots(); ++t) {
+    if (!tets_[t].alive()) continue;
+    for (int& v : tets_[t].vertex) v = place[v];
+    order.emplace_back(*std::min_element(tets_[t].vertex.begin(), tets_[t].vertex.end()), t);
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<int> slot(tets_.size(), -1);
+  std::vector<Tet> tets;
+  tets.reserve(order.size());
+  for (const auto& [lowest, t] : order) {
+    slot[t] = static_cast<int>(tets.size());
+    tets.push_back(tets_[t]);
+  }
+  for (Tet& tet : tets)
+    for (int& t : tet.neighbour)
+      if (t >= 0) t = slot[t];
+  tets_ = std::move(tets);
+  own_.free_.clear();
+
+  std::vector<int> tet_of;
+  tet_of.reserve(tet_of_.size());
+  for (std::size_t v = 0; v < tet_of_.size(); ++v) {
+    if (place[v] < 0) continue;
+    if (place[v] >= static_cast<int>(tet_of.size())) tet_of.resize(place[v] + 1, -1);
+    tet_of[place[v]] = tet_of_[v] < 0 ? -1 : slot[tet_of_[v]];
+  }
+  tet_of_ = std::move(tet_of);
+  std::unordered_map<std::uint64_t, int> creases;
+  for (const auto& [a, b, edge] : this->creases()) creases[key(place[a], place[b])] = edge;
+  creases_ = std::move(creases);
+  std::unordered_map<int, std::vector<int>> pinched;
+  for (auto& [v, all] : pinched_) {
+    for (int& t : all) t = slot[t];
+    pinched[place[v]] = std::move(all);
+  }
+  pinched_ = std::move(pinched);
+}
+
 std::vector<std::array<int, 3>> TetComplex::creases() const {
   std::vector<std::array<int, 3>> list;
   list.reserve(creases_.size());

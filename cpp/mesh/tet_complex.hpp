@@ -121,6 +121,10 @@ class TetComplex {
   }
   Site& own_site() { return own_; }
 
+  /// Renumbers the vertices, `place[v]` is the new number of v, -1 drops one that is in no tetrahedron; and
+  /// the tetrahedra in the order of their lowest vertices, without free slots between them.
+  void renumber(const std::vector<int>& place);
+
   /// The tetrahedra made by the last replace() at the own site.
   const std::vector<int>& created() const { return own_.created(); }
 
