@@ -2,6 +2,7 @@
 #pragma once
 
 #include <tbb/blocked_range.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -10,10 +11,12 @@
 
 namespace fgmesh {
 
-/// Runs `work` with at most `threads` threads for what it does at the same time; 0: with all processors.
+/// Runs `work` with at most `threads` threads for what it does at the same time, and no more than there are
+/// processors; 0: with all of them.
 template <class Work>
 void with_threads(int threads, const Work& work) {
-  tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+  const int processors = tbb::info::default_concurrency();
+  tbb::task_arena arena(threads > 0 ? std::min(threads, processors) : processors);
   arena.execute(work);
 }
 
