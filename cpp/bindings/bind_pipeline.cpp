@@ -29,6 +29,7 @@ void for_each_option(Visit visit) {
   visit("max_size", &MeshingOptions::max_size);
   visit("anisotropy", &MeshingOptions::anisotropy);
   visit("order", &MeshingOptions::order);
+  visit("paper", &MeshingOptions::paper);
   visit("stop_after", &MeshingOptions::stop_after);
   visit("threads", &MeshingOptions::threads);
   visit("seed", &MeshingOptions::seed);
@@ -85,6 +86,7 @@ void bind_options(py::module_& module) {
       "\nsurface_deviation: largest distance of a facet's centre to the true boundary."
       "\nmin_size, max_size: of edges. anisotropy: largest stretch across the gradient. order: 2 for "
       "ten-node tetrahedra."
+      "\npaper: keeps to the paper where FGMesh departs from it for fewer elements (docs/method.md)."
       "\nstop_after: \"initial\", \"material\" or \"geometry\". threads: at most as many are used, 0: all "
       "processors; the mesh does not depend on it. seed: of random choices.";
   py::class_<MeshingOptions> options(module, "MeshingOptions", doc.c_str());

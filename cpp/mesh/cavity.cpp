@@ -118,9 +118,21 @@ bool Cavity::keeps_surface(const Vertex& vertex) const {
   });
 }
 
+bool Cavity::keeps_frozen() const {
+  std::vector<int> kept = {a_, b_};
+  for (const NewTet& made : filling(-1)) kept.insert(kept.end(), made.vertex.begin(), made.vertex.end());
+  return std::all_of(tets_.begin(), tets_.end(), [&](int t) {
+    const std::array<int, 4>& around = state_.complex.tet(t).vertex;
+    return std::all_of(around.begin(), around.end(), [&](int v) {
+      return !state_.vertices[v].frozen || std::find(kept.begin(), kept.end(), v) != kept.end();
+    });
+  });
+}
+
 bool Cavity::open(const Vertex& vertex) {
   const std::size_t at_edge = removed_.size();
   if (!grow(vertex.position) || !find_border()) return false;
+  if (state_.keeps_frozen && !keeps_frozen()) return false;
   return removed_.size() == at_edge || keeps_surface(vertex);
 }
 

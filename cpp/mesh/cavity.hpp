@@ -48,6 +48,7 @@ class Cavity {
   bool may_go(const std::array<int, 3>& facet, int label) const;
   bool grow(const Vec3& place);
   bool find_border();
+  bool keeps_frozen() const;
   bool keeps_surface(const Vertex& vertex) const;
 
   const MeshState& state_;

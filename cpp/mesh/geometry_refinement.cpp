@@ -128,9 +128,22 @@ void approach_boundary(MeshState& state, const GeometryRefinementOptions& option
   }
 }
 
-void set_frozen(MeshState& state, bool frozen) {
-  for (Vertex& vertex : state.vertices) vertex.frozen = frozen;
-}
+/// Keeps the vertices that there are in place for its lifetime.
+class Freeze {
+ public:
+  explicit Freeze(MeshState& state) : state_(state) {
+    for (Vertex& vertex : state.vertices) was_frozen_.push_back(std::exchange(vertex.frozen, true));
+  }
+  ~Freeze() {
+    for (std::size_t v = 0; v < was_frozen_.size(); ++v) state_.vertices[v].frozen = was_frozen_[v];
+  }
+  Freeze(const Freeze&) = delete;
+  Freeze& operator=(const Freeze&) = delete;
+
+ private:
+  MeshState& state_;
+  std::vector<bool> was_frozen_;
+};
 
 }  // namespace
 
@@ -152,9 +165,10 @@ void refine_geometry(MeshState& state, const GeometryRefinementOptions& options,
   // What comes new is as small as the deviation wants it in all directions; stretched swaps there would only
   // make more splits necessary. The material's stretched elements stay by their frozen vertices.
   for (Vertex& vertex : state.vertices) vertex.stretch = Vec3::Zero();
-  set_frozen(state, true);
-  approach_boundary(state, options, control);
-  set_frozen(state, false);
+  {
+    const Freeze freeze(state);
+    approach_boundary(state, options, control);
+  }
 
   const TetScore score(state, options.goal);
   WorstFirst mender(state, score);

@@ -17,7 +17,8 @@ struct GeometryRefinementOptions {
 /// Geometry-oriented refinement (paper, section 2.4): boundary facets and crease edges farther from the true
 /// boundary than the deviation are split and brought onto it, the mesh inside is graded towards them, new
 /// vertices are smoothed; M-vertices stay. Then the threshold and the angles are checked and mended; only
-/// there may an M-vertex move, and only where that takes no tetrahedron above the threshold.
+/// there may an M-vertex move, unless it is frozen, and only where that takes no tetrahedron above the
+/// threshold.
 void refine_geometry(MeshState& state, const GeometryRefinementOptions& options, RunControl& control);
 
 /// Distance of the centre of a labelled face of tetrahedron t to the true face, mm.

@@ -18,12 +18,11 @@ void smooth(MeshState& state, const MaterialRefinementOptions& options, int swee
   }
 }
 
-/// The paper's loop: Steiner points, ODT smoothing, evaluation. It ends when the density is right: when a
-/// round finds hardly a tetrahedron above growth_limit thresholds any more.
-void grow(MeshState& state, const MaterialRefinementOptions& options, RunControl& control) {
-  const double limit = options.growth_limit * state.threshold();
-  constexpr int kMostRounds = 60;
-  constexpr double kDone = 0.002;  // new points a tetrahedron
+/// The paper's loop: Steiner points, ODT smoothing, evaluation. It ends when a round finds hardly a
+/// tetrahedron above `limit` any more: when it adds less than `done` points a tetrahedron.
+void grow(MeshState& state, const MaterialRefinementOptions& options, double limit, double done,
+          RunControl& control) {
+  constexpr int kMostRounds = 200;
   // Memory is in order as long as the mesh has not grown by this factor.
   constexpr double kGrown = 1.5;
   constexpr std::size_t kMany = 16384;  // vertices; fewer fit into caches
@@ -37,7 +36,7 @@ void grow(MeshState& state, const MaterialRefinementOptions& options, RunControl
     resolve_boundary(state, options.sizing.min_size, control);
     const int room = std::max(0, options.most_tets - state.complex.tet_count());
     const int inserted = insert_steiner_points(state, limit, options.sizing.min_size, room, control);
-    if (inserted < kDone * state.complex.tet_count()) break;
+    if (inserted <= done * state.complex.tet_count()) break;
     smooth(state, options, options.growth_sweeps, 1.0, control);
   }
 }
@@ -71,7 +70,11 @@ void relax(MeshState& state, const MaterialRefinementOptions& options, RunContro
 void refine_material(MeshState& state, const MaterialRefinementOptions& options, RunControl& control) {
   control.report(0.0, state.complex.tet_count());
   smooth(state, options, options.growth_sweeps, 1.0, control);
-  grow(state, options, control);
+  if (options.points_only) {
+    grow(state, options, state.threshold(), 0.0, control);
+    return;
+  }
+  grow(state, options, options.growth_limit * state.threshold(), options.growth_done, control);
   thicken(state, options, control);
   smooth(state, options, options.final_sweeps, 1.0, control);
 

@@ -15,10 +15,14 @@ struct MaterialRefinementOptions {
   QualityGoal goal;
   int most_tets = 20000000;  ///< no Steiner points once the mesh has as many
 
-  int growth_sweeps = 3;      ///< ODT sweeps after each round of Steiner points
-  double growth_limit = 1.4;  ///< rounds of Steiner points go on until no tet is above this many thresholds
-  int final_sweeps = 20;      ///< ODT sweeps once the density is right
-  int relaxations = 30;       ///< sweeps of threshold relaxation between insertions
+  /// Points until none is above, as in the paper, in place of relaxation and mending.
+  bool points_only = false;
+
+  int growth_sweeps = 3;       ///< ODT sweeps after each round of Steiner points
+  double growth_limit = 1.4;   ///< rounds of Steiner points go on until no tet is above this many thresholds,
+  double growth_done = 0.002;  ///< or a round has added less than so many points a tetrahedron
+  int final_sweeps = 20;       ///< ODT sweeps once the density is right
+  int relaxations = 30;        ///< sweeps of threshold relaxation between insertions
   double relaxation_aim = 0.93;  ///< of the threshold
 };
 

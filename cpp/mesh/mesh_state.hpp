@@ -76,6 +76,9 @@ class MeshState {
   /// allowed_chord_error().
   double chord_limit = 0.0;
 
+  /// Frozen vertices are not given up either, to make room for new ones.
+  bool keeps_frozen = false;
+
   double threshold() const { return threshold_; }
   double diagonal() const { return diagonal_; }
   const BoundaryGeometry& boundary() const { return boundary_; }

@@ -187,7 +187,10 @@ MeshingResult run(const std::string& shape, const std::vector<const CompositionF
       MaterialRefinementOptions refinement;
       refinement.sizing = material_sizing(options);
       refinement.goal = goal;
+      refinement.points_only = options.paper;
       refine_material(state, refinement, control);
+      for (Vertex& vertex : state.vertices) vertex.frozen = options.paper;
+      state.keeps_frozen = options.paper;
     });
   }
   if (options.stop_after == "geometry") {

@@ -56,7 +56,7 @@ struct MeshingResult {
   double shape_volume = 0.0;                ///< of the B-Rep, mm^3; what several solids hold counts once
   std::vector<double> solid_volumes;        ///< of the mesh in each SolidN, mm^3
   std::vector<double> shape_solid_volumes;  ///< of each SolidN without what belongs to another, mm^3
-  int threads = 1;  ///< that it had
+  int threads = 1;                          ///< that it had
   double peak_memory_mb = 0.0;
 };
 

@@ -25,10 +25,13 @@ struct MeshingOptions {
   double anisotropy = 1.0;
   /// 1: four-node tetrahedra; 2: ten-node tetrahedra.
   int order = 1;
+  /// The material-oriented loop as the paper has it, and M-vertices that never move after it: see
+  /// docs/method.md.
+  bool paper = false;
   /// "initial", "material" or "geometry": the last stage to run.
   std::string stop_after = "geometry";
-  /// At most as many are used, and no more than there are processors; 0: all of them. The mesh does not depend on
-  /// it.
+  /// At most as many are used, and no more than there are processors; 0: all of them. The mesh does not
+  /// depend on it.
   int threads = 0;
   /// Of random choices; without effect, since nothing is left to chance.
   std::uint32_t seed = 0;

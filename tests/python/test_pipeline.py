@@ -402,3 +402,32 @@ def test_progress_goes_forward(brep):
         # Stage and fraction are read one after the other: the first may still be the last stage's.
         assert fractions[1:] == sorted(fractions[1:]), stage
         assert all(0 <= fraction <= 1 for fraction in fractions)
+
+
+def test_paper_never_moves_vertices_of_the_material_stage(brep, meshed):
+    options = {"material_threshold": 0.15, "surface_deviation": 0.02, "paper": True}
+    before = meshed("cylinder", "(z/12)^2", **options, stop_after="material")
+    after = meshed("cylinder", "(z/12)^2", **options)
+    assert before.status == "ok" and len(after.points) > len(before.points)
+    assert set(map(tuple, before.points)) <= set(map(tuple, after.points))
+
+
+def test_departures_from_the_paper_save_elements(meshed):
+    options = {"material_threshold": 0.15, "stop_after": "material"}
+    departed = meshed("cylinder", "(z/12)^2", **options)
+    paper = meshed("cylinder", "(z/12)^2", **options, paper=True)
+    assert len(departed.tets) < 0.7 * len(paper.tets)
+    assert departed.dihedral_min.min() > paper.dihedral_min.min()
+
+
+@pytest.mark.parametrize("count", [1, 2])
+def test_number_of_threads_is_told_and_does_not_matter(brep, count):
+    # Fine enough to be worked on in parts.
+    options = {"material_threshold": 0.04, "stop_after": "material"}
+    material = core.Material(["exp(-0.1*d)"])
+    result = core.generate_mesh(brep("ball"), material, core.MeshingOptions(**options, threads=count))
+    assert len(result.points) > 16384
+    assert result.threads <= count
+    again = core.generate_mesh(brep("ball"), material, core.MeshingOptions(**options))
+    for name in ("points", "tets", "triangles", "fractions"):
+        assert getattr(result, name).tobytes() == getattr(again, name).tobytes()

@@ -122,6 +122,11 @@ def _add_mesh(group, defaults):
         choices=(1, 2),
         help=f"1: 4-node tetrahedra; 2: 10-node (default {defaults.order})",
     )
+    add(
+        "--paper",
+        action="store_true",
+        help="keep to the paper's own loop, which takes more elements and leaves flat ones; for comparisons",
+    )
     stages = ("initial", "material", "geometry")
     add("--stop-after", choices=stages, help=f"last stage to run (default {defaults.stop_after})")
 
@@ -155,6 +160,7 @@ OPTION_FIELDS = (
     "max_size",
     "anisotropy",
     "order",
+    "paper",
     "stop_after",
     "threads",
     "seed",
