@@ -320,6 +320,10 @@
       <translation>Nichts wurde geändert: {}</translation>
     </message>
     <message>
+      <source>Of {} tetrahedra {} break the threshold, at or between their corners; {} are not proved</source>
+      <translation>Von {} Tetraedern überschreiten {} die Schwelle, an oder zwischen ihren Ecken; für {} ist nichts bewiesen</translation>
+    </message>
+    <message>
       <source>On the solid: {}</source>
       <translation>Im Festkörper: {}</translation>
     </message>
@@ -390,6 +394,18 @@
     <message>
       <source>Properties vary inside the elements</source>
       <translation>Die Eigenschaften ändern sich innerhalb der Elemente</translation>
+    </message>
+    <message>
+      <source>Prove the threshold between corners</source>
+      <translation>Schwelle zwischen den Ecken beweisen</translation>
+    </message>
+    <message>
+      <source>Prove the threshold over the whole of each tetrahedron, not at its corners alone, and split those that break it in between</source>
+      <translation>Die Schwelle für jedes ganze Tetraeder beweisen, nicht nur an seinen Ecken, und die teilen, die sie dazwischen überschreiten</translation>
+    </message>
+    <message>
+      <source>Proved over the whole of each tetrahedron: the variation is at most {}</source>
+      <translation>Für jedes ganze Tetraeder bewiesen: Die Variation ist höchstens {}</translation>
     </message>
     <message>
       <source>Radial</source>
@@ -510,6 +526,10 @@
     <message>
       <source>The solid's own coordinates</source>
       <translation>Die eigenen Koordinaten des Festkörpers</translation>
+    </message>
+    <message>
+      <source>The threshold is not proved between the corners of tetrahedra</source>
+      <translation>Die Schwelle ist zwischen den Ecken der Tetraeder nicht bewiesen</translation>
     </message>
     <message>
       <source>Then click on a face, an edge or a vertex in the 3D view, or on a solid in the tree</source>

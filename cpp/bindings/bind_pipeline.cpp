@@ -30,6 +30,7 @@ void for_each_option(Visit visit) {
   visit("anisotropy", &MeshingOptions::anisotropy);
   visit("order", &MeshingOptions::order);
   visit("paper", &MeshingOptions::paper);
+  visit("certify", &MeshingOptions::certify);
   visit("stop_after", &MeshingOptions::stop_after);
   visit("threads", &MeshingOptions::threads);
   visit("seed", &MeshingOptions::seed);
@@ -87,6 +88,7 @@ void bind_options(py::module_& module) {
       "\nmin_size, max_size: of edges. anisotropy: largest stretch across the gradient. order: 2 for "
       "ten-node tetrahedra."
       "\npaper: keeps to the paper where FGMesh departs from it for fewer elements (docs/method.md)."
+      "\ncertify: whether the threshold is proved over the whole of each tetrahedron."
       "\nstop_after: \"initial\", \"material\" or \"geometry\". threads: at most as many are used, 0: all "
       "processors; the mesh does not depend on it. seed: of random choices.";
   py::class_<MeshingOptions> options(module, "MeshingOptions", doc.c_str());
@@ -126,6 +128,16 @@ void bind_report(py::module_& module) {
       .def_readonly("dihedral_max", &StageReport::dihedral_max)
       .def_readonly("dihedral_histogram", &StageReport::dihedral_histogram)
       .def_readonly("seconds", &StageReport::seconds);
+
+  py::class_<CertificateReport>(module, "CertificateReport",
+                                "What is proved of the threshold over the whole of each tetrahedron.")
+      .def_readonly("made", &CertificateReport::made)
+      .def_property_readonly("holds", &CertificateReport::holds)
+      .def_readonly("tets", &CertificateReport::tets)
+      .def_readonly("broken", &CertificateReport::broken)
+      .def_readonly("unproved", &CertificateReport::unproved)
+      .def_readonly("bound", &CertificateReport::bound)
+      .def_readonly("seconds", &CertificateReport::seconds);
 }
 
 /// A read-only array over memory that `owner`, a Python object, keeps alive.
@@ -214,12 +226,15 @@ void bind_result(py::module_& module) {
   result.def_property_readonly("tet_fractions", &tet_fractions);
   def_column(result, "forced_angles", &MeshingResult::forced_angles);
   def_column(result, "small_angles", &MeshingResult::small_angles);
+  def_column(result, "broken", &MeshingResult::broken);
+  def_column(result, "unproved", &MeshingResult::unproved);
   result.def_property_readonly("straightened", [](const py::object& self) {
     return column(self.cast<const MeshingResult&>().second_order.straightened, self);
   });
   result.def_readonly("stages", &MeshingResult::stages)
       .def_readonly("status", &MeshingResult::status)
       .def_readonly("messages", &MeshingResult::messages)
+      .def_readonly("certificate", &MeshingResult::certificate)
       .def_readonly("angle_goal", &MeshingResult::angle_goal)
       .def_readonly("element_ratio", &MeshingResult::element_ratio)
       .def_readonly("deviation_max", &MeshingResult::deviation_max)

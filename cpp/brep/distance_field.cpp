@@ -7,6 +7,8 @@
 #include <limits>
 
 #include "brep/occt.hpp"
+#include "brep/recent_distances.hpp"
+#include "brep/tet_distances.hpp"
 
 namespace fgmesh::brep {
 namespace {
@@ -90,6 +92,7 @@ DistanceField::DistanceField(std::shared_ptr<const MeasuredShape> measured, std:
     : measured_(std::move(measured)),
       tree_(std::move(pieces)),
       solid_(solid),
+      id_(next_field_id()),
       size_(measured_->shape.bounds.diagonal()) {
   if (solid_ == 0) return;
   samples_ = NearestPoint(measured_->sampling.boundary.points);
@@ -237,6 +240,22 @@ void DistanceField::bounds(const Box& box, double& low, double& high) const {
     high = distance + margin;
   }
   if (solid_ == 0) low = std::max(low, 0.0);
+}
+
+void DistanceField::tet_bounds(const Corners& tet, double& low, double& high) const {
+  CornerDistances corners;
+  for (int i = 0; i < 4; ++i) {
+    corners.values[i] = recent(id_, tet[i], corners.gradients[i], [&](Vec3& gradient) {
+      double value = kNaN;
+      evaluate(&tet[i], 1, &value, &gradient);
+      return value;
+    });
+    if (!std::isfinite(corners.values[i])) return bounds(box_around(tet), low, high);
+  }
+  const double margin = 1e-9 * (size_ + tet[0].norm());
+  const DistanceBounds found = bounds_between(tet, corners, kClose * size_, solid_ > 0, margin);
+  low = found.low;
+  high = found.high;
 }
 
 }  // namespace fgmesh::brep

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -26,6 +27,9 @@ class DistanceField final : public ScalarField {
 
   void bounds(const Box& box, double& low, double& high) const override;
 
+  /// Of second order in the size of a tetrahedron that is clear of the reference.
+  void tet_bounds(const Corners& tet, double& low, double& high) const override;
+
  private:
   struct Found;
   struct Scratch;
@@ -41,6 +45,7 @@ class DistanceField final : public ScalarField {
   std::shared_ptr<const MeasuredShape> measured_;
   PieceTree tree_;
   int solid_ = 0;
+  std::uint64_t id_;      ///< no other field had it before
   double size_ = 0.0;     ///< of the shape, mm
   NearestPoint samples_;  ///< of the boundary, for a solid
   std::vector<Vec3> sample_normals_;

@@ -27,6 +27,12 @@ class CompositionField {
 
   /// Certain bounds of f_1 ... f_k-1 over a box.
   virtual void bounds(const Box& box, double* low, double* high) const = 0;
+
+  /// Certain bounds of f_1 ... f_k-1 over a tetrahedron, and of their slopes (1/mm): wherever f is defined,
+  /// f(p) - f(q) = s . (p - q) for an s between slope_low and slope_high. They are infinite where f may jump
+  /// or its slope explodes. NaN where f is defined nowhere.
+  virtual void tet_bounds(const Corners& tet, double* low, double* high, Vec3* slope_low,
+                          Vec3* slope_high) const = 0;
 };
 
 }  // namespace fgmesh

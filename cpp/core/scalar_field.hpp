@@ -22,6 +22,11 @@ class ScalarField {
 
   /// Certain bounds of f over a box: f lies within [low, high] wherever it is defined there.
   virtual void bounds(const Box& box, double& low, double& high) const = 0;
+
+  /// The same over a tetrahedron.
+  virtual void tet_bounds(const Corners& tet, double& low, double& high) const {
+    bounds(box_around(tet), low, high);
+  }
 };
 
 }  // namespace fgmesh

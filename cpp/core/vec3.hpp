@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <array>
 #include <ostream>
 
 namespace fgmesh {
@@ -25,5 +26,13 @@ struct Box {
 
   double diagonal() const { return (high - low).norm(); }
 };
+
+/// The corners of a tetrahedron.
+using Corners = std::array<Vec3, 4>;
+
+inline Box box_around(const Corners& tet) {
+  return {tet[0].cwiseMin(tet[1]).cwiseMin(tet[2]).cwiseMin(tet[3]),
+          tet[0].cwiseMax(tet[1]).cwiseMax(tet[2]).cwiseMax(tet[3])};
+}
 
 }  // namespace fgmesh

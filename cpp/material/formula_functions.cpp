@@ -14,23 +14,33 @@ namespace fgmesh {
 namespace {
 
 constexpr double kLn10 = 2.302585092994045684;
+const Interval kLn10Bounds = widened(kLn10, kLn10);
+const Interval kOne = Interval::point(1.0);
+const Interval kNotNegative{0.0, std::numeric_limits<double>::infinity()};
 
 struct Exp : OperationTraits {
   static double value(double a) { return std::exp(a); }
   static Slopes<1> slopes(double, double value) { return {value}; }
   static Interval bounds(const Interval& a) { return exp(a); }
+  static SlopeBounds<1> slope_bounds(const Interval&, const Interval& value) { return {value}; }
 };
 
 struct Log : OperationTraits {
   static double value(double a) { return std::log(a); }
   static Slopes<1> slopes(double a, double) { return {1.0 / a}; }
   static Interval bounds(const Interval& a) { return log(a); }
+  static SlopeBounds<1> slope_bounds(const Interval& a, const Interval&) {
+    return {kOne / intersection(a, kNotNegative)};
+  }
 };
 
 struct Log10 : OperationTraits {
   static double value(double a) { return std::log10(a); }
   static Slopes<1> slopes(double a, double) { return {1.0 / (a * kLn10)}; }
   static Interval bounds(const Interval& a) { return log10(a); }
+  static SlopeBounds<1> slope_bounds(const Interval& a, const Interval&) {
+    return {kOne / (intersection(a, kNotNegative) * kLn10Bounds)};
+  }
 };
 
 struct Sqrt : OperationTraits {
@@ -38,12 +48,18 @@ struct Sqrt : OperationTraits {
   // The root of -0 is -0, which must not turn the slope round.
   static Slopes<1> slopes(double, double value) { return {0.5 / std::fabs(value)}; }
   static Interval bounds(const Interval& a) { return sqrt(a); }
+  static SlopeBounds<1> slope_bounds(const Interval&, const Interval& value) {
+    return {Interval::point(0.5) / value};
+  }
 };
 
 struct Cbrt : OperationTraits {
   static double value(double a) { return std::cbrt(a); }
   static Slopes<1> slopes(double, double value) { return {1.0 / (3.0 * value * value)}; }
   static Interval bounds(const Interval& a) { return cbrt(a); }
+  static SlopeBounds<1> slope_bounds(const Interval&, const Interval& value) {
+    return {kOne / (Interval::point(3.0) * square(value))};
+  }
 };
 
 struct Pow : OperationTraits {
@@ -58,17 +74,29 @@ struct Pow : OperationTraits {
     return {by_base, a > 0.0 ? value * std::log(a) : 0.0};
   }
   static Interval bounds(const Interval& a, const Interval& b) { return pow(a, b); }
+  static SlopeBounds<2> slope_bounds(const Interval& a, const Interval& b, const Interval& value) {
+    const bool whole_power = b.is_point() && std::floor(b.low) == b.low;
+    // Undefined places between those where it is defined: it may be anything beyond them.
+    if (a.low < 0.0 && !whole_power) return {Interval::whole(), Interval::whole()};
+    return {b * pow(a, b - kOne), a.low < 0.0 ? Interval::whole() : value * log(a)};
+  }
 };
 
 struct Abs : OperationTraits {
   static double value(double a) { return std::fabs(a); }
   static Slopes<1> slopes(double a, double) { return {a > 0.0 ? 1.0 : a < 0.0 ? -1.0 : 0.0}; }
   static Interval bounds(const Interval& a) { return abs(a); }
+  static SlopeBounds<1> slope_bounds(const Interval& a, const Interval&) {
+    return {a.low >= 0.0 ? kOne : a.high <= 0.0 ? -kOne : Interval{-1.0, 1.0}};
+  }
 };
 
 /// A function that is constant but for its jumps.
 struct Jumps : OperationTraits {
   static Slopes<1> slopes(double, double) { return {0.0}; }
+  static SlopeBounds<1> slope_bounds(const Interval&, const Interval& value) {
+    return {slope_of_steps(value)};
+  }
 };
 
 struct Sign : Jumps {
@@ -92,48 +120,69 @@ struct Min : OperationTraits {
     return a == b ? Slopes<2>{0.5, 0.5} : a < b ? Slopes<2>{1.0, 0.0} : Slopes<2>{0.0, 1.0};
   }
   static Interval bounds(const Interval& a, const Interval& b) { return min(a, b); }
+  static SlopeBounds<2> slope_bounds(const Interval& a, const Interval& b, const Interval&) {
+    if (a.high <= b.low) return {kOne, Interval::point(0.0)};
+    if (b.high <= a.low) return {Interval::point(0.0), kOne};
+    return {Interval{0.0, 1.0}, Interval{0.0, 1.0}};
+  }
 };
 
 struct Max : OperationTraits {
   static double value(double a, double b) { return std::isunordered(a, b) ? a + b : a > b ? a : b; }
   static Slopes<2> slopes(double a, double b, double value) { return Min::slopes(b, a, value); }
   static Interval bounds(const Interval& a, const Interval& b) { return max(a, b); }
+  static SlopeBounds<2> slope_bounds(const Interval& a, const Interval& b, const Interval& value) {
+    return Min::slope_bounds(b, a, value);
+  }
 };
 
 struct Sin : OperationTraits {
   static double value(double a) { return std::sin(a); }
   static Slopes<1> slopes(double a, double) { return {std::cos(a)}; }
   static Interval bounds(const Interval& a) { return sin(a); }
+  static SlopeBounds<1> slope_bounds(const Interval& a, const Interval&) { return {cos(a)}; }
 };
 
 struct Cos : OperationTraits {
   static double value(double a) { return std::cos(a); }
   static Slopes<1> slopes(double a, double) { return {-std::sin(a)}; }
   static Interval bounds(const Interval& a) { return cos(a); }
+  static SlopeBounds<1> slope_bounds(const Interval& a, const Interval&) { return {-sin(a)}; }
 };
 
 struct Tan : OperationTraits {
   static double value(double a) { return std::tan(a); }
   static Slopes<1> slopes(double, double value) { return {1.0 + value * value}; }
   static Interval bounds(const Interval& a) { return tan(a); }
+  static SlopeBounds<1> slope_bounds(const Interval&, const Interval& value) {
+    return {kOne + square(value)};
+  }
 };
 
 struct Asin : OperationTraits {
   static double value(double a) { return std::asin(a); }
   static Slopes<1> slopes(double a, double) { return {1.0 / std::sqrt((1.0 - a) * (1.0 + a))}; }
+  static Interval slope(const Interval& a) {
+    return kOne / sqrt(intersection(kOne - square(intersection(a, {-1.0, 1.0})), kNotNegative));
+  }
   static Interval bounds(const Interval& a) { return asin(a); }
+  static SlopeBounds<1> slope_bounds(const Interval& a, const Interval&) { return {slope(a)}; }
 };
 
 struct Acos : OperationTraits {
   static double value(double a) { return std::acos(a); }
   static Slopes<1> slopes(double a, double value) { return {-Asin::slopes(a, value)[0]}; }
   static Interval bounds(const Interval& a) { return acos(a); }
+  static SlopeBounds<1> slope_bounds(const Interval& a, const Interval&) { return {-Asin::slope(a)}; }
 };
 
 struct Atan : OperationTraits {
   static double value(double a) { return std::atan(a); }
   static Slopes<1> slopes(double a, double) { return {1.0 / (1.0 + a * a)}; }
   static Interval bounds(const Interval& a) { return atan(a); }
+  static SlopeBounds<1> slope_bounds(const Interval& a, const Interval&) {
+    return {kOne / (kOne + square(a))};
+  }
 };
 
 struct Atan2 : OperationTraits {
@@ -145,18 +194,26 @@ struct Atan2 : OperationTraits {
     return {x / radius / radius, -y / radius / radius};
   }
   static Interval bounds(const Interval& y, const Interval& x) { return atan2(y, x); }
+  static SlopeBounds<2> slope_bounds(const Interval& y, const Interval& x, const Interval&) {
+    const bool across_cut = x.low < 0.0 && y.low < 0.0 && y.high >= 0.0;
+    if (across_cut || (x.contains(0.0) && y.contains(0.0))) return {Interval::whole(), Interval::whole()};
+    const Interval squared = square(x) + square(y);
+    return {x / squared, -y / squared};
+  }
 };
 
 struct Sinh : OperationTraits {
   static double value(double a) { return std::sinh(a); }
   static Slopes<1> slopes(double a, double) { return {std::cosh(a)}; }
   static Interval bounds(const Interval& a) { return sinh(a); }
+  static SlopeBounds<1> slope_bounds(const Interval& a, const Interval&) { return {cosh(a)}; }
 };
 
 struct Cosh : OperationTraits {
   static double value(double a) { return std::cosh(a); }
   static Slopes<1> slopes(double a, double) { return {std::sinh(a)}; }
   static Interval bounds(const Interval& a) { return cosh(a); }
+  static SlopeBounds<1> slope_bounds(const Interval& a, const Interval&) { return {sinh(a)}; }
 };
 
 struct Tanh : OperationTraits {
@@ -166,6 +223,7 @@ struct Tanh : OperationTraits {
     return {1.0 / c / c};
   }
   static Interval bounds(const Interval& a) { return tanh(a); }
+  static SlopeBounds<1> slope_bounds(const Interval& a, const Interval&) { return {kOne / square(cosh(a))}; }
 };
 
 /// min(max(v, low), high), also where low > high. The ends belong to the slope inside.
@@ -178,12 +236,23 @@ struct Clamp : OperationTraits {
   static Interval bounds(const Interval& v, const Interval& low, const Interval& high) {
     return min(max(v, low), high);
   }
+  static SlopeBounds<3> slope_bounds(const Interval& v, const Interval& low, const Interval& high,
+                                     const Interval& value) {
+    const Interval raised = max(v, low);
+    const SlopeBounds<2> to_low = Max::slope_bounds(v, low, raised);
+    const SlopeBounds<2> to_high = Min::slope_bounds(raised, high, value);
+    return {to_high[0] * to_low[0], to_high[0] * to_low[1], to_high[1]};
+  }
 };
 
 struct Mix : OperationTraits {
   static double value(double a, double b, double t) { return a + t * (b - a); }
   static Slopes<3> slopes(double a, double b, double t, double) { return {1.0 - t, t, b - a}; }
   static Interval bounds(const Interval& a, const Interval& b, const Interval& t) { return a + t * (b - a); }
+  static SlopeBounds<3> slope_bounds(const Interval& a, const Interval& b, const Interval& t,
+                                     const Interval&) {
+    return {kOne - t, t, b - a};
+  }
 };
 
 struct Step : OperationTraits {
@@ -193,6 +262,9 @@ struct Step : OperationTraits {
   static Slopes<2> slopes(double, double, double) { return {0.0, 0.0}; }
   static Interval bounds(const Interval& edge, const Interval& v) {
     return {v.low >= edge.high ? 1.0 : 0.0, v.high < edge.low ? 0.0 : 1.0};
+  }
+  static SlopeBounds<2> slope_bounds(const Interval&, const Interval&, const Interval& value) {
+    return {slope_of_steps(value), slope_of_steps(value)};
   }
 };
 
@@ -216,6 +288,21 @@ struct Smoothstep : OperationTraits {
     const Interval t = min(max((v - low) / width, Interval::point(0.0)), Interval::point(1.0));
     const auto rise = [](double s) { return s * s * (3.0 - 2.0 * s); };
     return intersection(widened(rise(t.low), rise(t.high)), {0.0, 1.0});
+  }
+  static SlopeBounds<3> slope_bounds(const Interval& low, const Interval& high, const Interval& v,
+                                     const Interval& value) {
+    const Interval width = high - low;
+    if (width.contains(0.0)) {
+      const Interval slope = slope_of_steps(value);
+      return {slope, slope, slope};
+    }
+    const Interval t = min(max((v - low) / width, Interval::point(0.0)), kOne);
+    // 6 t (1 - t) is largest in the middle.
+    const auto rate = [](double s) { return 6.0 * s * (1.0 - s); };
+    Interval rates = widened(std::min(rate(t.low), rate(t.high)), std::max(rate(t.low), rate(t.high)));
+    if (t.contains(0.5)) rates.high = 1.5;
+    const Interval slope = intersection(rates, {0.0, 1.5}) / width;
+    return {slope * (t - kOne), -slope * t, slope};
   }
 };
 

@@ -24,6 +24,7 @@ struct Operation {
   void (*values)(const double* const* in, double* out, std::size_t count);
   void (*duals)(const double* const* in, double* out, std::size_t stride, std::size_t count);
   Interval (*bounds)(const Interval* const* in);
+  DualInterval (*dual_bounds)(const DualInterval* const* in);
 };
 
 /// All functions that a formula may call by name; null where there is none of this name.
@@ -41,6 +42,9 @@ const Operation& selection();
 /// Partial derivatives with respect to each argument.
 template <std::size_t N>
 using Slopes = std::array<double, N>;
+/// What they can be within a box; where the argument may cross a jump, everything.
+template <std::size_t N>
+using SlopeBounds = std::array<Interval, N>;
 
 namespace detail {
 
@@ -78,12 +82,32 @@ struct Kernels {
     }
     return Op::bounds(*in[I]...);
   }
+
+  static DualInterval dual_bounds(const DualInterval* const* in) {
+    const Interval* const values[kArity] = {&in[I]->value...};
+    DualInterval result;
+    result.value = bounds(values);
+    // What is defined nowhere has no slope.
+    if (result.value.is_empty()) return result;
+    const SlopeBounds<kArity> slopes = Op::slope_bounds(in[I]->value..., result.value);
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto add = [&](const Interval& slope, const DualInterval& argument) {
+        const Interval& inner = argument.slope[axis];
+        if (inner.is_zero() || argument.value.is_empty()) return;
+        // A pole: on its other side the function may go on from the other infinity.
+        const Interval term = result.value.is_bounded() ? slope * inner : Interval::whole();
+        result.slope[axis] = result.slope[axis].is_zero() ? term : result.slope[axis] + term;
+      };
+      (add(slopes[I], *in[I]), ...);
+    }
+    return result;
+  }
 };
 
 template <class Op, std::size_t... I>
 constexpr Operation make_operation(std::string_view name, bool variadic, std::index_sequence<I...>) {
   using K = Kernels<Op, I...>;
-  return {name, static_cast<int>(sizeof...(I)), variadic, K::values, K::duals, K::bounds};
+  return {name, static_cast<int>(sizeof...(I)), variadic, K::values, K::duals, K::bounds, K::dual_bounds};
 }
 
 template <class... Doubles>
@@ -93,11 +117,16 @@ constexpr std::size_t arity_of(double (*)(Doubles...)) {
 
 }  // namespace detail
 
-/// Base of the structs that describe an operation: static `value(a, ...)`, `slopes(a, ..., value)` and
-/// `bounds(a, ...)`. Derived structs with kPartial see empty intervals too.
+/// Base of the structs that describe an operation: static `value(a, ...)`, `slopes(a, ..., value)`,
+/// `bounds(a, ...)` and `slope_bounds(a, ..., value)`. Derived structs with kPartial see empty intervals too.
 struct OperationTraits {
   static constexpr bool kPartial = false;
 };
+
+/// Slope of a function that is constant but for its jumps, where its values are these.
+inline Interval slope_of_steps(const Interval& value) {
+  return value.is_point() ? Interval::point(0.0) : Interval::whole();
+}
 
 template <class Op>
 constexpr Operation operation(std::string_view name, bool variadic = false) {

@@ -14,18 +14,25 @@ struct Negate : OperationTraits {
   static double value(double a) { return -a; }
   static Slopes<1> slopes(double, double) { return {-1.0}; }
   static Interval bounds(const Interval& a) { return -a; }
+  static SlopeBounds<1> slope_bounds(const Interval&, const Interval&) { return {Interval::point(-1.0)}; }
 };
 
 struct Add : OperationTraits {
   static double value(double a, double b) { return a + b; }
   static Slopes<2> slopes(double, double, double) { return {1.0, 1.0}; }
   static Interval bounds(const Interval& a, const Interval& b) { return a + b; }
+  static SlopeBounds<2> slope_bounds(const Interval&, const Interval&, const Interval&) {
+    return {Interval::point(1.0), Interval::point(1.0)};
+  }
 };
 
 struct Subtract : OperationTraits {
   static double value(double a, double b) { return a - b; }
   static Slopes<2> slopes(double, double, double) { return {1.0, -1.0}; }
   static Interval bounds(const Interval& a, const Interval& b) { return a - b; }
+  static SlopeBounds<2> slope_bounds(const Interval&, const Interval&, const Interval&) {
+    return {Interval::point(1.0), Interval::point(-1.0)};
+  }
 };
 
 struct Multiply : OperationTraits {
@@ -33,6 +40,7 @@ struct Multiply : OperationTraits {
   static Slopes<2> slopes(double a, double b, double) { return {b, a}; }
   // Equal addresses: the very same value twice, never negative.
   static Interval bounds(const Interval& a, const Interval& b) { return &a == &b ? square(a) : a * b; }
+  static SlopeBounds<2> slope_bounds(const Interval& a, const Interval& b, const Interval&) { return {b, a}; }
 };
 
 struct Divide : OperationTraits {
@@ -40,12 +48,18 @@ struct Divide : OperationTraits {
   static double value(double a, double b) { return a / (b + 0.0); }
   static Slopes<2> slopes(double, double b, double value) { return {1.0 / b, -value / b}; }
   static Interval bounds(const Interval& a, const Interval& b) { return a / b; }
+  static SlopeBounds<2> slope_bounds(const Interval&, const Interval& b, const Interval& value) {
+    return {Interval::point(1.0) / b, -value / b};
+  }
 };
 
 struct Square : OperationTraits {
   static double value(double a) { return a * a; }
   static Slopes<1> slopes(double a, double) { return {2.0 * a}; }
   static Interval bounds(const Interval& a) { return square(a); }
+  static SlopeBounds<1> slope_bounds(const Interval& a, const Interval&) {
+    return {Interval::point(2.0) * a};
+  }
 };
 
 template <class Compare>
@@ -57,6 +71,9 @@ struct Comparison : OperationTraits {
   static Interval bounds(const Interval& a, const Interval& b) {
     if (Compare::certain(a, b)) return Interval::point(1.0);
     return Compare::impossible(a, b) ? Interval::point(0.0) : Interval{0.0, 1.0};
+  }
+  static SlopeBounds<2> slope_bounds(const Interval&, const Interval&, const Interval& value) {
+    return {slope_of_steps(value), slope_of_steps(value)};
   }
 };
 
@@ -102,6 +119,14 @@ struct Select : OperationTraits {
     if (condition.is_empty()) return Interval::empty();
     if (!condition.contains(0.0)) return a;
     return condition.is_point() ? b : hull(a, b);
+  }
+  static SlopeBounds<3> slope_bounds(const Interval& condition, const Interval&, const Interval&,
+                                     const Interval&) {
+    const Interval none = Interval::point(0.0), all = Interval::point(1.0), either{0.0, 1.0};
+    if (!condition.contains(0.0)) return {none, all, none};
+    if (condition.is_point()) return {none, none, all};
+    // The branches need not meet where the condition turns.
+    return {Interval::whole(), either, either};
   }
 };
 

@@ -99,6 +99,27 @@ Interval FormulaProgram::bounds(const std::vector<Interval>& box) const noexcept
   return registers[result_];
 }
 
+DualInterval FormulaProgram::dual_bounds(const DualInterval* box) const noexcept {
+  // Most programs need a few registers, and to clear all that a program may have would take longer than to
+  // run it.
+  constexpr std::size_t kFew = 32;
+  std::array<DualInterval, kFew> few;
+  std::vector<DualInterval> many;
+  if (register_count_ > kFew) many.resize(register_count_);
+  DualInterval* const registers = register_count_ > kFew ? many.data() : few.data();
+  for (std::size_t v = 0; v < variables_.size(); ++v) registers[variable_registers_[v]] = box[v];
+  for (const Instruction& instruction : instructions_) {
+    const DualInterval* const in[] = {registers + instruction.in[0], registers + instruction.in[1],
+                                      registers + instruction.in[2]};
+    DualInterval& out = registers[instruction.out];
+    if (instruction.operation)
+      out = instruction.operation->dual_bounds(in);
+    else
+      out = {instruction.constant.bounds};
+  }
+  return registers[result_];
+}
+
 std::uint16_t ProgramBuilder::allocate() {
   if (free_.empty()) return static_cast<std::uint16_t>(program_.register_count_++);
   const std::uint16_t place = free_.back();

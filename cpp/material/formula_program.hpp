@@ -43,6 +43,9 @@ class FormulaProgram {
   /// Holds the value at every point where each of variables() lies in its interval of `box`.
   Interval bounds(const std::vector<Interval>& box) const noexcept;
 
+  /// The same, with bounds of the slopes, from those of the variables.
+  DualInterval dual_bounds(const DualInterval* box) const noexcept;
+
  private:
   friend class ProgramBuilder;
 

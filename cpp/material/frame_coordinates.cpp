@@ -2,6 +2,7 @@
 #include "material/frame_coordinates.hpp"
 
 #include <cmath>
+#include <optional>
 #include <type_traits>
 
 namespace fgmesh {
@@ -97,14 +98,74 @@ void FrameCoordinates::duals(Variable variable, std::size_t first, std::size_t c
   }
 }
 
-Interval coordinate_bounds(const Frame& frame, const Box& box, Variable variable) {
+namespace {
+
+/// Nothing where the box is empty.
+std::optional<Local<Interval>> local(const Frame& frame, const Box& box) {
   Local<Interval> everywhere{frame, {}};
   for (int i = 0; i < 3; ++i) {
     const Interval side{box.low[i], box.high[i]};
-    if (side.is_empty()) return Interval::empty();
+    if (side.is_empty()) return std::nullopt;
     everywhere.offset[i] = side - Interval::point(frame.origin[i]);
   }
-  return everywhere.value(variable);
+  return everywhere;
+}
+
+/// The slopes of the length of a vector in a plane or in space along its components: each component by the
+/// length. It rises with the component, and the others draw it towards zero.
+void length_slopes(const Interval* components, int count, Interval* slopes) {
+  const auto at = [](double component, double others) {
+    return component == 0.0 ? 0.0 : component / std::sqrt(component * component + others);
+  };
+  Interval squares[3];
+  for (int i = 0; i < count; ++i) squares[i] = square(components[i]);
+  for (int i = 0; i < count; ++i) {
+    Interval rest = squares[(i + 1) % count];
+    if (count == 3) rest = rest + squares[(i + 2) % count];
+    const Interval& component = components[i];
+    // Where the length may vanish its direction is any.
+    slopes[i] = rest.low == 0.0 && component.contains(0.0)
+                    ? Interval{-1.0, 1.0}
+                    : widened(at(component.low, component.low > 0.0 ? rest.high : rest.low),
+                              at(component.high, component.high > 0.0 ? rest.low : rest.high));
+  }
+}
+
+}  // namespace
+
+Interval coordinate_bounds(const Frame& frame, const Box& box, Variable variable) {
+  const std::optional<Local<Interval>> everywhere = local(frame, box);
+  return everywhere ? everywhere->value(variable) : Interval::empty();
+}
+
+DualInterval coordinate_dual_bounds(const Frame& frame, const Box& box, Variable variable) {
+  const std::optional<Local<Interval>> everywhere = local(frame, box);
+  DualInterval result;
+  result.value = everywhere ? everywhere->value(variable) : Interval::empty();
+  if (!everywhere) return result;
+  if (variable == Variable::kDistance) {
+    length_slopes(everywhere->offset, 3, result.slope.data());
+    return result;
+  }
+  const auto column = [&](int axis, int i) { return Interval::point(frame.rotation(i, axis)); };
+  if (variable != Variable::kRadius && variable != Variable::kAngle) {
+    for (int i = 0; i < 3; ++i) result.slope[i] = column(static_cast<int>(variable), i);
+    return result;
+  }
+  const Interval across[] = {everywhere->along(0), everywhere->along(1)};
+  const Interval &x = across[0], &y = across[1];
+  Interval slopes[2];
+  length_slopes(across, 2, slopes);
+  auto& [by_x, by_y] = slopes;
+  if (variable == Variable::kAngle) {
+    const Interval radius = sqrt(square(x) + square(y));
+    const bool jumps = radius.low == 0.0 || (x.low < 0.0 && y.low < 0.0 && y.high >= 0.0);
+    const Interval turned = jumps ? Interval::whole() : -by_y / radius;
+    by_y = jumps ? Interval::whole() : by_x / radius;
+    by_x = turned;
+  }
+  for (int i = 0; i < 3; ++i) result.slope[i] = by_x * column(0, i) + by_y * column(1, i);
+  return result;
 }
 
 }  // namespace fgmesh

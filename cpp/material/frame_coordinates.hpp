@@ -26,4 +26,7 @@ class FrameCoordinates {
 /// What the coordinate `variable` can be within a box of the world.
 Interval coordinate_bounds(const Frame& frame, const Box& box, Variable variable);
 
+/// The same with its slopes along the world's axes; everything where theta jumps.
+DualInterval coordinate_dual_bounds(const Frame& frame, const Box& box, Variable variable);
+
 }  // namespace fgmesh

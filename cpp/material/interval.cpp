@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <iterator>
 
 namespace fgmesh {
@@ -14,7 +16,16 @@ constexpr double kPi = 3.14159265358979323846;
 // Below this the error terms of products and quotients may be subnormal and vanish.
 constexpr double kErrorTermsVanish = 1e-290;
 
-double next_down(double value) { return std::nextafter(value, -kInfinity); }
+/// std::nextafter(value, -inf), which is a call that takes longer than the operation it corrects.
+double next_down(double value) {
+  if (!(value > -kInfinity)) return value;  // NaN, too
+  if (value == 0.0) return -std::numeric_limits<double>::denorm_min();
+  std::uint64_t bits;
+  std::memcpy(&bits, &value, sizeof bits);
+  bits += value > 0.0 ? -1 : 1;
+  std::memcpy(&value, &bits, sizeof bits);
+  return value;
+}
 
 // Directed rounding without touching the processor's rounding mode: the error of the rounded result is
 // computed exactly (Knuth's two-sum; a fused multiply-add), so results that are exact stay exact.
@@ -147,10 +158,14 @@ Interval operator+(const Interval& a, const Interval& b) {
 Interval operator-(const Interval& a, const Interval& b) { return a + (-b); }
 
 Interval operator*(const Interval& a, const Interval& b) {
-  return {std::min({multiply_down(a.low, b.low), multiply_down(a.low, b.high), multiply_down(a.high, b.low),
-                    multiply_down(a.high, b.high)}),
-          std::max({multiply_up(a.low, b.low), multiply_up(a.low, b.high), multiply_up(a.high, b.low),
-                    multiply_up(a.high, b.high)})};
+  // Mostly one of them does not change sign, and its sign tells which ends make the product's.
+  if (a.low >= 0.0)
+    return {multiply_down(b.low >= 0.0 ? a.low : a.high, b.low),
+            multiply_up(b.high >= 0.0 ? a.high : a.low, b.high)};
+  if (a.high <= 0.0) return -(-a * b);
+  if (b.low >= 0.0 || b.high <= 0.0) return b * a;
+  return {std::min(multiply_down(a.low, b.high), multiply_down(a.high, b.low)),
+          std::max(multiply_up(a.low, b.low), multiply_up(a.high, b.high))};
 }
 
 Interval operator/(const Interval& a, const Interval& b) {
@@ -159,10 +174,9 @@ Interval operator/(const Interval& a, const Interval& b) {
     return {a.low >= 0.0 ? divide_down(a.low, b.high) : -kInfinity,
             a.high <= 0.0 ? divide_up(a.high, b.high) : kInfinity};
   }
-  return {std::min({divide_down(a.low, b.low), divide_down(a.low, b.high), divide_down(a.high, b.low),
-                    divide_down(a.high, b.high)}),
-          std::max({divide_up(a.low, b.low), divide_up(a.low, b.high), divide_up(a.high, b.low),
-                    divide_up(a.high, b.high)})};
+  if (b.high < 0.0) return -a / -b;
+  return {divide_down(a.low, a.low >= 0.0 ? b.high : b.low),
+          divide_up(a.high, a.high >= 0.0 ? b.low : b.high)};
 }
 
 Interval square(const Interval& a) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <limits>
 
 namespace fgmesh {
@@ -24,7 +25,18 @@ struct Interval {
 
   bool is_empty() const { return !(low <= high); }
   bool is_point() const { return low == high; }
+  bool is_zero() const { return low == 0.0 && high == 0.0; }
+  bool is_bounded() const {
+    return low > -std::numeric_limits<double>::infinity() && high < std::numeric_limits<double>::infinity();
+  }
   bool contains(double value) const { return low <= value && value <= high; }
+};
+
+/// Bounds of a function over a box, and of its slopes along the axes, 1/mm: between any two points of the box
+/// the function changes by a vector of them times the way. Everything where it may jump.
+struct DualInterval {
+  Interval value{0.0, 0.0};
+  std::array<Interval, 3> slope{Interval{0.0, 0.0}, Interval{0.0, 0.0}, Interval{0.0, 0.0}};
 };
 
 Interval hull(const Interval& a, const Interval& b);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "material/material.hpp"
 
+#include <boost/container/small_vector.hpp>
 #include <limits>
 #include <utility>
 
@@ -103,6 +104,27 @@ void Material::bounds(const Box& box, double* low, double* high) const {
     const bool defined = !result.is_empty();
     *low++ = defined ? result.low : std::numeric_limits<double>::quiet_NaN();
     *high++ = defined ? result.high : std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
+void Material::tet_bounds(const Corners& tet, double* low, double* high, Vec3* slope_low,
+                          Vec3* slope_high) const {
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  boost::container::small_vector<DualInterval, 8> inputs;
+  for (const FormulaProgram& program : state_->programs) {
+    inputs.clear();
+    for (const Variable variable : program.variables())
+      inputs.push_back(variable_tet_bounds(state_->frame, state_->references, state_->tables, tet, variable));
+    const DualInterval result = program.dual_bounds(inputs.data());
+    const bool defined = !result.value.is_empty();
+    *low++ = defined ? result.value.low : kNaN;
+    *high++ = defined ? result.value.high : kNaN;
+    for (int axis = 0; axis < 3; ++axis) {
+      (*slope_low)[axis] = defined ? result.slope[axis].low : kNaN;
+      (*slope_high)[axis] = defined ? result.slope[axis].high : kNaN;
+    }
+    ++slope_low;
+    ++slope_high;
   }
 }
 

@@ -34,6 +34,8 @@ class Material final : public CompositionField {
   void evaluate(const Vec3* points, std::size_t count, double* fractions) const override;
   void evaluate(const Vec3* points, std::size_t count, double* fractions, Vec3* gradients) const override;
   void bounds(const Box& box, double* low, double* high) const override;
+  void tet_bounds(const Corners& tet, double* low, double* high, Vec3* slope_low,
+                  Vec3* slope_high) const override;
 
   /// The fractions where the references have not been read, but the distances to them at the points are
   /// known: one row a point, signed for solids.

@@ -78,6 +78,32 @@ Interval table_bounds(const Frame& frame, const SampledTable& table, const Box& 
   return table.bounds(at);
 }
 
+DualInterval table_dual_bounds(const Frame& frame, const SampledTable& table, const Box& box) {
+  DualInterval at[SampledTable::kMaxCoordinates];
+  Interval places[SampledTable::kMaxCoordinates];
+  const std::size_t axes = table.axes().size();
+  for (std::size_t axis = 0; axis < axes; ++axis) {
+    at[axis] = coordinate_dual_bounds(frame, box, table.axes()[axis].coordinate);
+    places[axis] = at[axis].value;
+  }
+  DualInterval result;
+  result.value = table.bounds(places);
+  for (std::size_t axis = 0; axis < axes && !result.value.is_empty(); ++axis) {
+    const Interval slope = table.slope_bounds(places, axis);
+    for (int k = 0; k < 3; ++k) result.slope[k] = result.slope[k] + slope * at[axis].slope[k];
+  }
+  return result;
+}
+
+/// A distance changes by no more than the way that one goes.
+DualInterval distance_bounds(const Reference& reference, const Corners& tet, bool is_signed) {
+  DualInterval result;
+  reference.distance->tet_bounds(tet, result.value.low, result.value.high);
+  if (!is_signed) result.value = abs(result.value);
+  result.slope.fill({-1.0, 1.0});
+  return result;
+}
+
 }  // namespace
 
 Interval variable_bounds(const Frame& frame, const std::vector<Reference>& references, const Tables& tables,
@@ -89,6 +115,15 @@ Interval variable_bounds(const Frame& frame, const std::vector<Reference>& refer
   Interval distance{};
   references[reference->index].distance->bounds(box, distance.low, distance.high);
   return reference->is_signed ? distance : abs(distance);
+}
+
+DualInterval variable_tet_bounds(const Frame& frame, const std::vector<Reference>& references,
+                                 const Tables& tables, const Corners& tet, Variable variable) {
+  if (const auto table = to_table(variable))
+    return table_dual_bounds(frame, *tables[*table], box_around(tet));
+  if (const auto reference = to_reference(variable))
+    return distance_bounds(references[reference->index], tet, reference->is_signed);
+  return coordinate_dual_bounds(frame, box_around(tet), variable);
 }
 
 }  // namespace fgmesh

@@ -47,4 +47,8 @@ class PointVariables final : public PointInputs {
 Interval variable_bounds(const Frame& frame, const std::vector<Reference>& references, const Tables& tables,
                          const Box& box, Variable variable);
 
+/// The same within a tetrahedron, with its slopes along the world's axes.
+DualInterval variable_tet_bounds(const Frame& frame, const std::vector<Reference>& references,
+                                 const Tables& tables, const Corners& tet, Variable variable);
+
 }  // namespace fgmesh

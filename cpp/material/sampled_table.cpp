@@ -174,6 +174,26 @@ Interval SampledTable::bounds(const Interval* box) const {
   return range;
 }
 
+Interval SampledTable::slope_bounds(const Interval* box, std::size_t along) const {
+  Spans samples{};
+  for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
+    if (box[axis].is_empty()) return Interval::empty();
+    samples[axis] = {station(axis, box[axis].low).cell, station(axis, box[axis].high).cell + 1};
+  }
+  if (place_count(samples) > kMaxScanned) return Interval::whole();
+  const std::vector<double>& places = axes_[along].places;
+  const bool inside = box[along].low >= places.front() && box[along].high <= places.back();
+  Interval range = inside ? Interval::empty() : Interval::point(0.0);
+  --samples[along].last;
+  // Between samples the slope is a mean of those along the edges of the cell.
+  for_each_place(samples, [&](const auto& at) {
+    const double* const low = &values_[at[0] * strides_[0] + at[1] * strides_[1] + at[2] * strides_[2]];
+    const double width = places[at[along] + 1] - places[at[along]];
+    include(range, (low[strides_[along]] - *low) / width);
+  });
+  return widened(range.low, range.high);
+}
+
 Interval SampledTable::sample_range(const Spans& samples) const {
   Interval range = Interval::empty();
   for_each_place(samples, [&](const auto& at) {

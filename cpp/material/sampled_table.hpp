@@ -49,6 +49,10 @@ class SampledTable {
   /// allows where the box touches some thousand samples at most; else as tight as blocks of samples are.
   Interval bounds(const Interval* box) const;
 
+  /// Holds every slope() along axes()[axis] of coordinates within `box`; everything where the box touches too
+  /// many samples.
+  Interval slope_bounds(const Interval* box, std::size_t axis) const;
+
  private:
   /// A coordinate's cell, from one sample to the next, and how far in it: 0 at its low end, 1 at its high
   /// one.

@@ -13,6 +13,7 @@ std::array<int, 2> steepest_edge(const MeshState& state, int t, double min_size)
   const int material = state.material(t);
   std::array<int, 2> best = {-1, -1};
   double largest = 0.0;
+  bool jumps = false;
   for (const auto& edge : kEdgeVertices) {
     const Vertex &a = state.vertices[v[edge[0]]], &b = state.vertices[v[edge[1]]];
     const Vec3 way = b.position - a.position;
@@ -24,13 +25,16 @@ std::array<int, 2> steepest_edge(const MeshState& state, int t, double min_size)
           std::max(magnitude(change_along(at_a.gradient, way)), magnitude(change_along(at_b.gradient, way)));
       // Far more than the gradient foretells: a jump, or a steep layer between the two.
       if (change > 3.0 * foretold + 0.5 * state.threshold() &&
-          jumps_between(state.materials().field(material), a.position, b.position, state.threshold()))
+          jumps_between(state.materials().field(material), a.position, b.position, state.threshold())) {
+        jumps = true;
         continue;
+      }
     }
     largest = change;
     best = {v[edge[0]], v[edge[1]]};
   }
-  return best;
+  // What little f changes along the other edges is no reason to split these, again and again, where it jumps.
+  return jumps && largest <= state.threshold() ? std::array<int, 2>{-1, -1} : best;
 }
 
 /// A new point on the inner edge (a, b) would come close to boundary facets around it that are coarser than

@@ -5,6 +5,7 @@
 #include <array>
 #include <limits>
 
+#include "mesh/foretold_variation.hpp"
 #include "mesh/mesh_state.hpp"
 
 namespace fgmesh {
@@ -13,7 +14,8 @@ namespace fgmesh {
 struct QualityGoal {
   double smallest_angle = 15.0;  ///< degrees
   double largest_angle = 157.0;  ///< degrees
-  bool material = true;          ///< the material threshold counts too
+  bool material = true;          ///< the material threshold counts too,
+  bool between = false;          ///< and that between the corners, as far as foretold_variation() sees it
 };
 
 /// What can be asked for of elements that may be `anisotropy` times longer across the gradient than along it.

@@ -8,6 +8,7 @@
 #include "brep/brep_model.hpp"
 #include "core/error.hpp"
 #include "core/parallel.hpp"
+#include "mesh/certification.hpp"
 #include "mesh/geometry_refinement.hpp"
 #include "mesh/material_refinement.hpp"
 #include "mesh/second_order.hpp"
@@ -52,6 +53,30 @@ NodeFractions run_stage(const char* name, const MeshState& state, MeshingResult&
   result.stages.push_back(make_stage_report(name, result.mesh, result.variation, state.threshold()));
   result.stages.back().seconds = seconds.count();
   return fractions;
+}
+
+/// Certifies the threshold, as part of the last stage, and puts what came of it into the result.
+void certify(MeshState& state, const QualityGoal& goal, const MeshingOptions& options, MeshingResult& result,
+             RunControl& control) {
+  if (!options.certify) return;
+  const auto start = std::chrono::steady_clock::now();
+  const std::vector<TetCertificate> certificates = certify_mesh(state, {options.min_size, goal}, control);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  result.certificate = {};
+  result.certificate.made = true;
+  result.certificate.seconds = seconds.count();
+  for (int t = 0; t < state.complex.slots(); ++t) {
+    if (!state.complex.tet(t).alive()) continue;
+    // Finished meshes have the tetrahedra in the order of their slots.
+    const auto index = static_cast<std::int32_t>(result.certificate.tets++);
+    const TetCertificate& found = certificates[t];
+    if (found.proof == Proof::kProved)
+      result.certificate.bound = std::max(result.certificate.bound, found.bound);
+    else
+      (found.proof == Proof::kBroken ? result.broken : result.unproved).push_back(index);
+  }
+  result.certificate.broken = result.broken.size();
+  result.certificate.unproved = result.unproved.size();
 }
 
 /// Adds the nodes in the middle of edges, and the volume fraction at them.
@@ -126,6 +151,9 @@ void finish(MeshingResult& result, const BrepModel& model, const SampledBoundary
     const int solid = result.mesh.tet_solids[worst - result.variation.begin()];
     result.messages.push_back(describe_misses(result, materials.field(materials.of_solid(solid)), options));
   }
+  if (!result.broken.empty()) result.status = "threshold_not_met";
+  if (const std::string told = describe_certificate(result, options); !told.empty())
+    result.messages.push_back(told);
   const double integral = gradient_cubed(result.mesh, materials);
   if (integral > 0.0)
     result.element_ratio =
@@ -191,6 +219,7 @@ MeshingResult run(const std::string& shape, const std::vector<const CompositionF
       refine_material(state, refinement, control);
       for (Vertex& vertex : state.vertices) vertex.frozen = options.paper;
       state.keeps_frozen = options.paper;
+      if (options.stop_after == "material") certify(state, goal, options, result, control);
     });
   }
   if (options.stop_after == "geometry") {
@@ -202,6 +231,7 @@ MeshingResult run(const std::string& shape, const std::vector<const CompositionF
       refine_geometry(state, refinement, control);
       if (asked.surface_deviation == 0.0)
         options.surface_deviation = refine_to_volume(state, refinement, model, control);
+      certify(state, goal, options, result, control);
     });
   }
   if (options.order == 2) raise_order(state, fractions, result, control);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/certificate_report.hpp"
 #include "core/composition_field.hpp"
 #include "core/run_control.hpp"
 #include "core/second_order_mesh.hpp"
@@ -33,7 +34,8 @@ struct MeshingResult {
   std::vector<double> dihedral_min;  ///< smallest dihedral angle of each tetrahedron, degrees
   std::vector<StageReport> stages;   ///< those that ran, in order
 
-  /// "ok"; "threshold_not_met" where some tetrahedra stay above the threshold; else "deviation_not_met" where
+  /// "ok"; "threshold_not_met" where some tetrahedra stay above the threshold, at their corners or, as the
+  /// certificate tells, between them; else "deviation_not_met" where
   /// the finished boundary is farther from the true one than surface_deviation.
   std::string status = "ok";
   /// For a reader: why a criterion is not met and where, what was healed, ...
@@ -44,6 +46,10 @@ struct MeshingResult {
   /// the others.
   std::vector<std::int32_t> forced_angles, small_angles;
   double angle_goal = 0.0;  ///< degrees
+  /// What is proved of the threshold between the corners; where options.order is 2, of the straight
+  /// tetrahedra. The indices of those that break it anywhere, and of those for which nothing was proved.
+  CertificateReport certificate;
+  std::vector<std::int32_t> broken, unproved;
 
   /// eta = N delta_0^3 / integral of |grad f|^3, the gradient of the composition; 0 where the gradient
   /// vanishes everywhere.
@@ -61,7 +67,8 @@ struct MeshingResult {
 };
 
 /// Meshes the solids of a B-Rep graded by `material`: initial mesh, material-oriented refinement,
-/// geometry-oriented refinement (paper, figure 2); then nodes in the middle of edges where order is 2.
+/// geometry-oriented refinement (paper, figure 2); the certificate of the threshold at the end of the last of
+/// them; then nodes in the middle of edges where order is 2.
 ///
 /// `materials` holds one for all solids, or that of SolidN at n - 1. Solids that touch, overlap or are nested
 /// share their interfaces in the mesh; a region in several solids belongs to the lowest, but a solid that

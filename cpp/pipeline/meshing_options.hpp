@@ -28,6 +28,9 @@ struct MeshingOptions {
   /// The material-oriented loop as the paper has it, and M-vertices that never move after it: see
   /// docs/method.md.
   bool paper = false;
+  /// Whether the threshold is proved over the whole of each tetrahedron, and not at its corners alone, once
+  /// the last stage but "initial" has run; tetrahedra that break it in between are split.
+  bool certify = true;
   /// "initial", "material" or "geometry": the last stage to run.
   std::string stop_after = "geometry";
   /// At most as many are used, and no more than there are processors; 0: all of them. The mesh does not

@@ -13,6 +13,10 @@ namespace fgmesh {
 std::string describe_misses(const MeshingResult& result, const CompositionField& field,
                             const MeshingOptions& options);
 
+/// How many tetrahedra keep the threshold at their corners but break it in between, or may do so, where, and
+/// what may be done. Empty where there are none.
+std::string describe_certificate(const MeshingResult& result, const MeshingOptions& options);
+
 /// How many edges could not follow the true boundary, where, and what may be done.
 std::string describe_straightened(const MeshingResult& result);
 

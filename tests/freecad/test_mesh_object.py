@@ -68,6 +68,7 @@ def test_defaults_come_from_the_core(graded_box, fgmesh, core):
     assert (mesh.MinSize.Value, mesh.MaxSize.Value) == (defaults.min_size, defaults.max_size)
     assert mesh.SurfaceDeviation.Unit == FreeCAD.Units.Length
     assert (mesh.Anisotropy, mesh.SecondOrder) == (defaults.anisotropy, defaults.order == 2)
+    assert mesh.Certify is defaults.certify is True
     assert mesh.StopAfter == defaults.stop_after
     assert mesh.Status == "not meshed yet"
     assert all("ReadOnly" in mesh.getEditorMode(name) for name in READ_ONLY)
@@ -93,6 +94,16 @@ def test_options_reach_the_core(mesh):
     assert options.surface_deviation == pytest.approx(5.0)  # mm
     assert options.stop_after == "material"
     assert options.order == 1
+
+
+def test_the_certificate_is_in_the_report_unless_turned_off(mesh, fgmesh):
+    figures = json.loads(mesh.Report)["certified"]
+    assert figures["holds"] is True and figures["tets"] == mesh.TetCount
+    assert figures["bound"] == pytest.approx(mesh.VariationMax)  # z/h changes evenly
+    mesh.Certify = False
+    assert mesh.Status == "out of date: Certify was True, is False"
+    fgmesh.generate(mesh)
+    assert json.loads(mesh.Report)["certified"] == {} and mesh.Status == "ok"
 
 
 def test_placed_box(mesh, graded_box):

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Documents opened by another FreeCAD: with this workbench, without it, with an older one's objects."""
+import json
+
 import pytest
 
 
@@ -120,3 +122,22 @@ answer = [mesh.Seed, mesh.MaxSize.Value, mesh.VariationMean, mesh.MaterialThresh
 """
     )
     assert answer == [0, 0, 0, 0.3, "ok"]
+
+
+def test_a_mesh_from_before_there_was_a_certificate_stays_up_to_date(mesh, tmp_path, in_fresh_freecad):
+    fingerprint, report = json.loads(mesh.Fingerprint), json.loads(mesh.Report)
+    del fingerprint["options"]["Certify"]
+    report["certified"] = {}
+    mesh.Fingerprint, mesh.Report = json.dumps(fingerprint), json.dumps(report)
+    assert mesh.removeProperty("Certify")
+    path = str(tmp_path / "older.FCStd")
+    mesh.Document.saveAs(path)
+    answer = in_fresh_freecad(
+        f"""
+import FreeCAD
+document = FreeCAD.openDocument({path!r})
+document.recompute()
+answer = [document.FGMesh.Status, document.FGMesh.Certify]
+"""
+    )
+    assert answer == ["ok", True]

@@ -13,6 +13,7 @@ select(mesh)
 command("FGMesh_Report")
 table = widget("FGMeshStages")
 rows = {table.item(row, 0).text(): [table.item(row, column).text() for column in (1, 2, 3)] for row in range(table.rowCount())}
+proved = widget("FGMeshCertificate").text()
 picture(f"{pictures}/report-panel.png")
 for look in ("Largest variation", "Smallest angles", "Plain", "Fraction"):
     choose("FGMeshLook", look)
@@ -27,12 +28,13 @@ click("FGMeshSaveTable")
 choose("FGMeshHistogram", "Dihedral")
 click("FGMeshSavePicture")
 panel_button("Close")
-return dict(rows=rows, tets=mesh.TetCount, low=mesh.DihedralMin, steps=document.UndoCount - steps)
+return dict(rows=rows, proved=proved, tets=mesh.TetCount, low=mesh.DihedralMin, steps=document.UndoCount - steps)
 """
     )
     assert answer["rows"]["tetrahedra"][2] == str(answer["tets"])
     assert float(answer["rows"]["angle min"][2]) == round(answer["low"], 2)
     assert answer["rows"]["above threshold"][1:] == ["0", "0"]
+    assert answer["proved"].startswith("Proved over the whole of each tetrahedron")
     assert answer["steps"] == 0
     with open(tmp_path / "figures.csv", newline="") as file:
         lines = list(csv.reader(file))

@@ -145,8 +145,10 @@ def test_options_are_those_of_cpp(source_dir):
     assert len(header) > 5
     fields = _core.MeshingOptions.fields()
     assert list(fields) == list(header)
+    truth = {"true": True, "false": False}
     for name, default in header.items():
-        assert fields[name] == (default.strip('"') if default.startswith('"') else float(default))
+        told = default.strip('"') if default.startswith('"') else truth.get(default)
+        assert fields[name] == (float(default) if told is None else told)
 
 
 def test_options_by_keyword_and_attribute():

@@ -71,6 +71,16 @@ OPTIONS = (
         ),
     ),
     Option(
+        "Certify",
+        "certify",
+        "App::PropertyBool",
+        TRANSLATE_LATER(
+            "FGMesh",
+            "Prove the threshold over the whole of each tetrahedron, not at its corners alone, and split those that "
+            "break it in between",
+        ),
+    ),
+    Option(
         "StopAfter",
         "stop_after",
         "App::PropertyEnumeration",

@@ -31,6 +31,7 @@ class MeshOptionsBox(QtGui.QWidget):
         self.anisotropy.setRange(1.0, 10.0)
         self.anisotropy.setSingleStep(0.5)
         self.order = QtGui.QCheckBox(translate("Ten-node tetrahedra"))
+        self.certify = QtGui.QCheckBox(translate("Prove the threshold between corners"))
         self.groups = {kind: QtGui.QCheckBox(title) for kind, title in _group_titles().items()}
         self._lay_out()
         self._connect()
@@ -44,6 +45,7 @@ class MeshOptionsBox(QtGui.QWidget):
                 field.set_length(values[name])
             self.anisotropy.setValue(values["Anisotropy"])
             self.order.setChecked(values["SecondOrder"])
+            self.certify.setChecked(values["Certify"])
             for kind, box in self.groups.items():
                 box.setChecked(kind in values["Groups"])
 
@@ -58,6 +60,7 @@ class MeshOptionsBox(QtGui.QWidget):
             **{name: field.length() for name, field in self.lengths.items()},
             "Anisotropy": self.anisotropy.value(),
             "SecondOrder": self.order.isChecked(),
+            "Certify": self.certify.isChecked(),
             "Groups": [kind for kind, box in self.groups.items() if box.isChecked()],
         }
 
@@ -71,6 +74,7 @@ class MeshOptionsBox(QtGui.QWidget):
             "MaxSize": (translate("Largest size"), self.lengths["MaxSize"]),
             "Anisotropy": (translate("Anisotropy"), self.anisotropy),
             "SecondOrder": ("", self.order),
+            "Certify": ("", self.certify),
         }
         for name, (title, field) in rows.items():
             field.setObjectName(f"FGMesh{name}")
@@ -87,7 +91,7 @@ class MeshOptionsBox(QtGui.QWidget):
         self.anisotropy.valueChanged.connect(lambda: self.edited.emit())
         for field in self.lengths.values():
             field.textChanged.connect(lambda: self.edited.emit())
-        for box in (self.order, *self.groups.values()):
+        for box in (self.order, self.certify, *self.groups.values()):
             box.toggled.connect(lambda: self.edited.emit())
 
 

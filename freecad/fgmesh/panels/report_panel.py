@@ -46,6 +46,25 @@ FIGURES = {
 """Heads and first column of the table of stages, which io writes in English."""
 
 
+def certified(report):
+    """Whether the threshold is proved; also where that was not asked for, which is no reason to warn."""
+    return report.get("certified", {}).get("holds", True)
+
+
+def certificate_text(report):
+    """A line on what is proved between the corners of tetrahedra; reports of older versions do not know."""
+    figures = report.get("certified")
+    if not figures:
+        return translate("The threshold is not proved between the corners of tetrahedra")
+    if figures["holds"]:
+        return translate("Proved over the whole of each tetrahedron: the variation is at most {}").format(
+            number_text(figures["bound"], ".4f")
+        )
+    return translate(
+        "Of {} tetrahedra {} break the threshold, at or between their corners; {} are not proved"
+    ).format(figures["tets"], figures["broken"], figures["unproved"])
+
+
 class ReportPanel:
     """Figures of `mesh`, a mesh object that has been generated; nothing in the document changes."""
 
@@ -92,6 +111,7 @@ class ReportPanel:
         (self.message.say if self.mesh.Status == "ok" else self.message.warn)(self.mesh.Status)
         layout.addWidget(self.message)
         layout.addWidget(self._table())
+        layout.addWidget(self._certificate())
         self._label = QtGui.QLabel(translate("Histogram"))
         layout.addWidget(self._label)
         self.kind = QtGui.QComboBox()
@@ -135,6 +155,12 @@ class ReportPanel:
         for header in (table.horizontalHeader(), table.verticalHeader()):
             header.setSectionResizeMode(QtGui.QHeaderView.ResizeToContents)
         return table
+
+    def _certificate(self):
+        label = MessageLabel()
+        label.setObjectName("FGMeshCertificate")
+        (label.say if certified(self.report) else label.warn)(certificate_text(self.report))
+        return label
 
     def _canvas(self):
         from matplotlib.figure import Figure

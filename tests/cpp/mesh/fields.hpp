@@ -35,6 +35,12 @@ class FunctionField final : public CompositionField {
     *low = -std::numeric_limits<double>::infinity();
     *high = std::numeric_limits<double>::infinity();
   }
+  void tet_bounds(const Corners& tet, double* low, double* high, Vec3* slope_low,
+                  Vec3* slope_high) const override {
+    bounds(box_around(tet), low, high);
+    slope_low->setConstant(*low);
+    slope_high->setConstant(*high);
+  }
 
  private:
   Value value_;
@@ -56,6 +62,11 @@ class Mixture final : public CompositionField {
   }
   void bounds(const Box& box, double* low, double* high) const override {
     for (std::size_t i = 0; i < parts_.size(); ++i) parts_[i].bounds(box, low + i, high + i);
+  }
+  void tet_bounds(const Corners& tet, double* low, double* high, Vec3* slope_low,
+                  Vec3* slope_high) const override {
+    for (std::size_t i = 0; i < parts_.size(); ++i)
+      parts_[i].tet_bounds(tet, low + i, high + i, slope_low + i, slope_high + i);
   }
 
  private:

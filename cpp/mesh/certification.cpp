@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/certification.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+#include "core/parallel.hpp"
+#include "mesh/edge_split.hpp"
+#include "mesh/steiner_points.hpp"
+#include "mesh/worst_first.hpp"
+
+namespace fgmesh {
+namespace {
+
+/// Pieces that a tetrahedron is divided into, at first and where that is not enough: those that need little
+/// are not to wait for those that no number of pieces proves.
+constexpr int kPieces[] = {48, 300, 2000};
+/// In the mean of all tetrahedra there are no more of them; then what is open remains so.
+constexpr int kMeanPieces = 100;
+
+Corners corners_of(const MeshState& state, int t) {
+  const std::array<int, 4>& v = state.complex.tet(t).vertex;
+  return {state.position(v[0]), state.position(v[1]), state.position(v[2]), state.position(v[3])};
+}
+
+/// The certificates of a mesh in progress: each is made once, and anew where its tetrahedron has changed.
+class Certificates {
+ public:
+  explicit Certificates(const MeshState& state) : state_(state) {}
+
+  /// Those of all tetrahedra that changed since the last call.
+  void update(RunControl& control) {
+    std::vector<int> open = changed();
+    const std::int64_t most = std::int64_t{kMeanPieces} * state_.complex.tet_count();
+    for (const int pieces : kPieces) {
+      // In batches, so that what is left out does not depend on how many are worked on at the same time.
+      constexpr std::size_t kBatch = 256;
+      for (std::size_t begin = 0; begin < open.size(); begin += kBatch) {
+        if (pieces > kPieces[0] && effort_ >= most) return;
+        const std::size_t end = std::min(begin + kBatch, open.size());
+        certify({open.begin() + begin, open.begin() + end}, pieces, control);
+      }
+      open.erase(std::remove_if(open.begin(), open.end(),
+                                [&](int t) { return certificates_[t].proof != Proof::kUnproved; }),
+                 open.end());
+    }
+  }
+
+  /// The tetrahedra that break the threshold though their corners keep it, worst first.
+  std::vector<int> hidden_breaks() const {
+    std::vector<int> tets;
+    for (int t = 0; t < state_.complex.slots(); ++t)
+      if (state_.complex.tet(t).alive() && certificates_[t].proof == Proof::kBroken &&
+          !(state_.variation(t) > state_.threshold()))
+        tets.push_back(t);
+    std::stable_sort(tets.begin(), tets.end(),
+                     [&](int a, int b) { return certificates_[a].variation > certificates_[b].variation; });
+    return tets;
+  }
+
+  const TetCertificate& operator[](int t) const { return certificates_[t]; }
+  const std::vector<TetCertificate>& all() const { return certificates_; }
+
+ private:
+  std::vector<int> changed() {
+    const int slots = state_.complex.slots();
+    certificates_.resize(slots);
+    of_.resize(slots);
+    solid_.resize(slots, 0);
+    std::vector<int> tets;
+    for (int t = 0; t < slots; ++t) {
+      const int solid = state_.complex.tet(t).solid;
+      const bool same = solid == solid_[t] && (solid == 0 || of_[t] == corners_of(state_, t));
+      solid_[t] = solid;
+      if (same || solid == 0) continue;
+      of_[t] = corners_of(state_, t);
+      tets.push_back(t);
+    }
+    return tets;
+  }
+
+  void certify(const std::vector<int>& tets, int most_pieces, RunControl& control) {
+    constexpr int kTogether = 16;  // little work, so that a run can be stopped soon where distances are slow
+    const int count = static_cast<int>(tets.size());
+    for_each_at_once((count + kTogether - 1) / kTogether, [&](int part) {
+      control.check();
+      for (int i = part * kTogether; i < std::min((part + 1) * kTogether, count); ++i)
+        certify(tets[i], most_pieces);
+    });
+    for (const int t : tets) effort_ += certificates_[t].pieces;
+  }
+
+  void certify(int t, int most_pieces) {
+    const Tet& tet = state_.complex.tet(t);
+    const int material = state_.material(t);
+    const auto value = [&](int i) { return state_.vertices[tet.vertex[i]].in(material).composition; };
+    certificates_[t] = certify_tet(state_.materials().field(material), of_[t],
+                                   {value(0), value(1), value(2), value(3)}, state_.threshold(), most_pieces);
+  }
+
+  const MeshState& state_;
+  std::vector<TetCertificate> certificates_;
+  std::vector<Corners> of_;  // the tetrahedra that they were made for, by their corners,
+  std::vector<int> solid_;   // and by their solids; 0: none
+  std::int64_t effort_ = 0;  // pieces in all
+};
+
+/// The edges of a tetrahedron that can be split, the longest first.
+std::vector<std::array<int, 2>> edges_to_split(const MeshState& state, int t, double min_size) {
+  const std::array<int, 4>& v = state.complex.tet(t).vertex;
+  std::vector<std::array<int, 2>> edges;
+  const auto length = [&](const std::array<int, 2>& edge) {
+    return (state.position(edge[0]) - state.position(edge[1])).norm();
+  };
+  for (const auto& [i, j] : kEdgeVertices)
+    if (length({v[i], v[j]}) >= 2.0 * min_size) edges.push_back({v[i], v[j]});
+  std::stable_sort(edges.begin(), edges.end(),
+                   [&](const auto& a, const auto& b) { return length(a) > length(b); });
+  return edges;
+}
+
+/// Splits the longest edges of the tetrahedra; none that another split of this call has touched. Returns how
+/// many.
+int split(MeshState& state, const std::vector<int>& tets, const Certificates& certificates,
+          const CertificationOptions& options, RunControl& control) {
+  TetComplex& complex = state.complex;
+  const int old_vertices = complex.vertex_slots();
+  int count = 0;
+  for (std::size_t i = 0; i < tets.size(); ++i) {
+    if (i % 64 == 0) control.check();
+    const int t = tets[i];
+    const Tet& tet = complex.tet(t);
+    if (!tet.alive() || *std::max_element(tet.vertex.begin(), tet.vertex.end()) >= old_vertices) continue;
+    const auto& [p, q] = certificates[t].apart;
+    if (jumps_between(state.materials().field(state.material(t)), p, q, state.threshold())) continue;
+    for (const auto& [a, b] : edges_to_split(state, t, options.min_size)) {
+      EdgeRing ring;
+      complex.ring(a, b, t, ring);
+      const int v =
+          state.label_at(a, b, ring) ? split_boundary_edge(state, a, b, t) : split_edge(state, a, b, t);
+      if (v < 0) continue;
+      ++count;
+      break;
+    }
+  }
+  return count;
+}
+
+}  // namespace
+
+std::vector<TetCertificate> certify_mesh(MeshState& state, const CertificationOptions& options,
+                                         RunControl& control) {
+  constexpr int kMostRounds = 12;
+  Certificates certificates(state);
+  certificates.update(control);
+  QualityGoal goal = options.goal;
+  goal.between = true;
+  const TetScore score(state, goal);
+  WorstFirst mender(state, score);
+  for (int round = 0; round < kMostRounds; ++round) {
+    control.report(static_cast<double>(round) / kMostRounds, state.complex.tet_count());
+    const std::vector<int> broken = certificates.hidden_breaks();
+    if (broken.empty() || state.complex.tet_count() >= options.most_tets) break;
+    // At first without new points: most are broken by so little that moves of vertices mend them.
+    if (round > 0 && split(state, broken, certificates, options, control) == 0) break;
+    mender.run(3, control);
+    if (insert_steiner_points(state, state.threshold(), options.min_size, broken.size(), control) > 0)
+      mender.run(3, control);
+    certificates.update(control);
+  }
+  return certificates.all();
+}
+
+}  // namespace fgmesh
