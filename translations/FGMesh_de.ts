@@ -678,8 +678,16 @@ max {max:.4f}</translation>
       <translation>kein Wert</translation>
     </message>
     <message>
+      <source>nodes in the middle of edges</source>
+      <translation>Knoten in den Kantenmitten</translation>
+    </message>
+    <message>
       <source>points</source>
       <translation>Punkte</translation>
+    </message>
+    <message>
+      <source>proof between the corners</source>
+      <translation>Nachweis zwischen den Ecken</translation>
     </message>
     <message>
       <source>reading the shape</source>

@@ -14,7 +14,7 @@ namespace fgmesh {
 class RunControl {
  public:
   struct Progress {
-    /// "reading", "initial", "material", "geometry", "second order"; "" before the start
+    /// "reading", "initial", "material", "geometry", "certificate", "second order"; "" before the start
     std::string stage;
     double fraction = 0.0;  ///< of this stage, in [0, 1]
     std::size_t tets = 0;   ///< tetrahedra in the mesh at this moment

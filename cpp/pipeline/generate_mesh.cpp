@@ -59,6 +59,7 @@ NodeFractions run_stage(const char* name, const MeshState& state, MeshingResult&
 void certify(MeshState& state, const QualityGoal& goal, const MeshingOptions& options, MeshingResult& result,
              RunControl& control) {
   if (!options.certify) return;
+  control.begin_stage("certificate");
   const auto start = std::chrono::steady_clock::now();
   const std::vector<TetCertificate> certificates = certify_mesh(state, {options.min_size, goal}, control);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;

@@ -394,7 +394,7 @@ def test_progress_goes_forward(brep):
         progress = control.progress()
         seen.append((progress.stage, progress.fraction))
         time.sleep(0.005)
-    order = ["", "reading", "initial", "material", "geometry"]
+    order = ["", "reading", "initial", "material", "geometry", "certificate"]
     places = [order.index(stage) for stage, _ in seen]
     assert places == sorted(places) and order.index("material") in places
     for stage in order[1:]:
@@ -406,7 +406,8 @@ def test_progress_goes_forward(brep):
 
 def test_paper_never_moves_vertices_of_the_material_stage(brep, meshed):
     options = {"material_threshold": 0.15, "surface_deviation": 0.02, "paper": True}
-    before = meshed("cylinder", "(z/12)^2", **options, stop_after="material")
+    # The certificate may add vertices to what is the last stage.
+    before = meshed("cylinder", "(z/12)^2", **options, stop_after="material", certify=False)
     after = meshed("cylinder", "(z/12)^2", **options)
     assert before.status == "ok" and len(after.points) > len(before.points)
     assert set(map(tuple, before.points)) <= set(map(tuple, after.points))
@@ -423,10 +424,10 @@ def test_departures_from_the_paper_save_elements(meshed):
 @pytest.mark.parametrize("count", [1, 2])
 def test_number_of_threads_is_told_and_does_not_matter(brep, count):
     # Fine enough to be worked on in parts.
-    options = {"material_threshold": 0.04, "stop_after": "material"}
+    options = {"material_threshold": 0.035, "stop_after": "material"}
     material = core.Material(["exp(-0.1*d)"])
     result = core.generate_mesh(brep("ball"), material, core.MeshingOptions(**options, threads=count))
-    assert len(result.points) > 16384
+    assert len(result.points) > 8192
     assert result.threads <= count
     again = core.generate_mesh(brep("ball"), material, core.MeshingOptions(**options))
     for name in ("points", "tets", "triangles", "fractions"):

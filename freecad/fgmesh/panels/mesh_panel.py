@@ -28,6 +28,8 @@ STAGES = {
     "initial": TRANSLATE_LATER("FGMesh", "initial mesh"),
     "material": TRANSLATE_LATER("FGMesh", "material-oriented refinement"),
     "geometry": TRANSLATE_LATER("FGMesh", "geometry-oriented refinement"),
+    "certificate": TRANSLATE_LATER("FGMesh", "proof between the corners"),
+    "second order": TRANSLATE_LATER("FGMesh", "nodes in the middle of edges"),
 }
 """What the stages of a run are called."""
 
