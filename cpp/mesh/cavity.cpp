@@ -119,7 +119,7 @@ bool Cavity::keeps_surface(const Vertex& vertex) const {
 }
 
 bool Cavity::keeps_frozen() const {
-  std::vector<int> kept = {a_, b_};
+  std::vector<int> kept;
   for (const NewTet& made : filling(-1)) kept.insert(kept.end(), made.vertex.begin(), made.vertex.end());
   return std::all_of(tets_.begin(), tets_.end(), [&](int t) {
     const std::array<int, 4>& around = state_.complex.tet(t).vertex;
