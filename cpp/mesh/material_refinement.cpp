@@ -49,7 +49,7 @@ void thicken(MeshState& state, const MaterialRefinementOptions& options, RunCont
   constexpr double kMany = 0.15;  // of the tetrahedra
   constexpr int kRelieved = 8;    // tetrahedra that a point relieves
   for (int round = 0; round < kMostRounds; ++round) {
-    const int above = count_above(state, limit);
+    const int above = count_divisible(state, limit, options.sizing.min_size);
     if (above < kMany * state.complex.tet_count() || state.complex.tet_count() >= options.most_tets) break;
     if (insert_steiner_points(state, limit, options.sizing.min_size, above / kRelieved, control) == 0) break;
     smooth(state, options, options.growth_sweeps, 1.0, control);
@@ -61,7 +61,7 @@ void relax(MeshState& state, const MaterialRefinementOptions& options, RunContro
   constexpr int kSweepsBetween = 15;
   for (int sweep = 1; sweep <= options.relaxations; ++sweep) {
     if (sweep % kSweepsBetween == 0) smooth(state, options, 1, 0.5, control);
-    relax_threshold(state, options.relaxation_aim * state.threshold(), control);
+    relax_threshold(state, options.relaxation_aim * state.threshold(), options.sizing.min_size, control);
   }
 }
 
@@ -83,18 +83,19 @@ void refine_material(MeshState& state, const MaterialRefinementOptions& options,
   constexpr int kMostRounds = 20;
   constexpr double kMany = 0.002;    // of the tetrahedra; fewer than that are mended better one by one
   constexpr double kTooMany = 0.45;  // more than that are not worth mending before there are more points
+  const auto count = [&] { return count_divisible(state, state.threshold(), options.sizing.min_size); };
   for (int round = 0; round < kMostRounds && state.complex.tet_count() < options.most_tets; ++round) {
-    int above = count_above(state, state.threshold());
+    int above = count();
     if (round == 0 || above > kMany * state.complex.tet_count()) {
       relax(state, options, control);
-      above = count_above(state, state.threshold());
+      above = count();
     }
     // Only into a part of the tetrahedra: each point relieves its neighbours too.
     int points = above / 32;
     const bool are_too_many = above > kTooMany * state.complex.tet_count();
     if (!are_too_many) {
       if (mender.run(3, control) == 0) break;
-      points = std::max(8, count_above(state, state.threshold()) / 4);
+      points = std::max(8, count() / 4);
     }
     control.report(0.6 + 0.4 * (round + 1) / kMostRounds, state.complex.tet_count());
     if (insert_steiner_points(state, state.threshold(), options.sizing.min_size, points, control) == 0) break;

@@ -13,28 +13,25 @@ std::array<int, 2> steepest_edge(const MeshState& state, int t, double min_size)
   const int material = state.material(t);
   std::array<int, 2> best = {-1, -1};
   double largest = 0.0;
-  bool jumps = false;
+  bool is_barred = false;  // one with more of the variation
   for (const auto& edge : kEdgeVertices) {
     const Vertex &a = state.vertices[v[edge[0]]], &b = state.vertices[v[edge[1]]];
     const Vec3 way = b.position - a.position;
     const MaterialValue &at_a = a.in(material), &at_b = b.in(material);
-    const double length = way.norm(), change = difference(at_a.composition, at_b.composition);
-    if (change <= largest || length < 2.0 * min_size) continue;
-    if (change > state.threshold()) {
-      const double foretold =
-          std::max(magnitude(change_along(at_a.gradient, way)), magnitude(change_along(at_b.gradient, way)));
-      // Far more than the gradient foretells: a jump, or a steep layer between the two.
-      if (change > 3.0 * foretold + 0.5 * state.threshold() &&
-          jumps_between(state.materials().field(material), a.position, b.position, state.threshold())) {
-        jumps = true;
-        continue;
-      }
+    const double change = difference(at_a.composition, at_b.composition);
+    if (change <= largest) continue;
+    const bool is_above = change > state.threshold();
+    if (way.norm() < 2.0 * min_size ||
+        (is_above && is_sudden(at_a, at_b, way, state.threshold()) &&
+         jumps_between(state.materials().field(material), a.position, b.position, state.threshold()))) {
+      is_barred |= is_above;
+      continue;
     }
     largest = change;
     best = {v[edge[0]], v[edge[1]]};
   }
-  // What little f changes along the other edges is no reason to split these, again and again, where it jumps.
-  return jumps && largest <= state.threshold() ? std::array<int, 2>{-1, -1} : best;
+  // What little f changes along the other edges is no reason to split these, again and again.
+  return is_barred && largest <= state.threshold() ? std::array<int, 2>{-1, -1} : best;
 }
 
 /// A new point on the inner edge (a, b) would come close to boundary facets around it that are coarser than
@@ -101,6 +98,20 @@ int count_above(const MeshState& state, double limit) {
   for (int t = 0; t < state.complex.slots(); ++t)
     count += state.complex.tet(t).alive() && state.variation(t) > limit;
   return count;
+}
+
+int count_divisible(const MeshState& state, double limit, double min_size) {
+  int count = 0;
+  for (int t = 0; t < state.complex.slots(); ++t)
+    count += state.complex.tet(t).alive() && state.variation(t) > limit &&
+             steepest_edge(state, t, min_size)[0] >= 0;
+  return count;
+}
+
+bool is_sudden(const MaterialValue& a, const MaterialValue& b, const Vec3& way, double threshold) {
+  const double foretold =
+      std::max(magnitude(change_along(a.gradient, way)), magnitude(change_along(b.gradient, way)));
+  return difference(a.composition, b.composition) > 3.0 * foretold + 0.5 * threshold;
 }
 
 bool jumps_between(const CompositionField& field, Vec3 p, Vec3 q, double threshold) {

@@ -2,6 +2,7 @@
 #include "mesh/threshold_relaxation.hpp"
 
 #include "mesh/blocks.hpp"
+#include "mesh/steiner_points.hpp"
 #include "mesh/stretch.hpp"
 
 namespace fgmesh {
@@ -35,7 +36,7 @@ std::array<int, 2> farthest_apart(const MeshState& state, const Tet& tet, int ma
   return result;
 }
 
-Pull pull_of(const MeshState& state, int t, double aim) {
+Pull pull_of(const MeshState& state, int t, double aim, double min_size) {
   Pull pull;
   const Tet& tet = state.complex.tet(t);
   if (!tet.alive()) return pull;
@@ -46,7 +47,14 @@ Pull pull_of(const MeshState& state, int t, double aim) {
   const double variation = difference(from, to);
   pull.above = variation > state.threshold();
   if (variation <= aim) return pull;
-  const double longest = 0.2 * (state.position(b) - state.position(a)).norm();
+  const Vec3 apart = state.position(b) - state.position(a);
+  // No move mends these; they would only draw ever more vertices into a jump, or a layer steeper than MinSize
+  // lets be followed.
+  constexpr double kFarAbove = 2.0;
+  if (is_sudden(state.vertices[a].in(material), state.vertices[b].in(material), apart, state.threshold()) ||
+      (variation > kFarAbove * state.threshold() && apart.norm() < 2.0 * min_size))
+    return pull;
+  const double longest = 0.2 * apart.norm();
   for (int i = 0; i < 2; ++i) {
     const int v = i == 0 ? a : b;
     const Vec3 gradient = gradient_towards(state.vertices[v].in(material).gradient, from, to);
@@ -59,10 +67,10 @@ Pull pull_of(const MeshState& state, int t, double aim) {
   return pull;
 }
 
-std::vector<Request> gather(const MeshState& state, double aim, int& above) {
+std::vector<Request> gather(const MeshState& state, double aim, double min_size, int& above) {
   std::vector<Pull> pulls(state.complex.slots());
   for_ranges_at_once(pulls.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t t = begin; t < end; ++t) pulls[t] = pull_of(state, static_cast<int>(t), aim);
+    for (std::size_t t = begin; t < end; ++t) pulls[t] = pull_of(state, static_cast<int>(t), aim, min_size);
   });
   std::vector<Request> requests(state.vertices.size());
   above = 0;
@@ -96,10 +104,10 @@ StarState star_state(const MeshState& state, int v, const Vertex& moved, const s
 
 }  // namespace
 
-int relax_threshold(MeshState& state, double aim, RunControl& control) {
+int relax_threshold(MeshState& state, double aim, double min_size, RunControl& control) {
   constexpr double kFlat = 4e-3;  // a regular tetrahedron has 0.048
   int above = 0;
-  const std::vector<Request> requests = gather(state, aim, above);
+  const std::vector<Request> requests = gather(state, aim, min_size, above);
   sweep_vertices(state, control, [&](int v, std::vector<int>& star) {
     const Vertex& vertex = state.vertices[v];
     if (requests[v].count == 0 || vertex.is_fixed()) return;
