@@ -240,6 +240,10 @@
       <translation>Ergibt</translation>
     </message>
     <message>
+      <source>Keep to the paper's own loop, which takes more elements and leaves flat ones; for comparisons</source>
+      <translation>Die Schleife des Aufsatzes selbst, die mehr Elemente braucht und flache übrig lässt; für Vergleiche</translation>
+    </message>
+    <message>
       <source>Largest difference of composition allowed inside one tetrahedron, above 0 and at most 1</source>
       <translation>Größter zulässiger Unterschied der Zusammensetzung innerhalb eines Tetraeders, über 0 und höchstens 1</translation>
     </message>

@@ -67,7 +67,7 @@ look("mesh, done", "FGMeshMinSize")
 click("FGMeshOpenReport")
 settle(0.5)
 look("report", "FGMeshStages")
-plot = looks.ink(widget("FGMeshPlot")), looks.ink(widget("FGMeshStages").parent())
+plot = looks.ink(widget("FGMeshPlot")), looks.ink(widget("FGMeshCertificate"))
 panel_button("Close")
 document.FGMesh.MaterialThreshold = 0.05
 select(document.FGMesh)

@@ -432,3 +432,23 @@ def test_number_of_threads_is_told_and_does_not_matter(brep, count):
     again = core.generate_mesh(brep("ball"), material, core.MeshingOptions(**options))
     for name in ("points", "tets", "triangles", "fractions"):
         assert getattr(result, name).tobytes() == getattr(again, name).tobytes()
+
+
+def test_layer_steeper_than_min_size_is_followed_only_as_far_as_that(meshed):
+    # 0.05 mm thick; elements of 0.5 mm cannot follow it.
+    result = meshed("box", "0.5 + 0.5*tanh((y-10)/0.05)", min_size=0.5, certify=False)
+    assert result.status == "threshold_not_met"
+    places = result.points[result.tets[result.above_threshold]][..., 1]
+    assert places.min(axis=1).max() <= 10.2 and places.max(axis=1).min() >= 9.8
+    layer = 10 * 5 * 3 * 0.5  # mm^3: three elements on either side, of the size that is allowed
+    assert len(result.tets) < 3000 + 8.5 * layer / 0.5**3
+
+
+def test_jump_on_a_slope_costs_no_elements(meshed):
+    slope = meshed("box", "y/40")
+    jump = meshed("box", "y/40 + 0.5*step(10.3,y)")
+    assert jump.status == "threshold_not_met"
+    places = jump.points[jump.tets[jump.above_threshold]][..., 1]
+    assert np.all((places.min(axis=1) <= 10.3) & (places.max(axis=1) >= 10.3))
+    assert len(jump.tets) < 1.5 * len(slope.tets)
+    assert jump.dihedral_min.min() > 10

@@ -81,6 +81,15 @@ OPTIONS = (
         ),
     ),
     Option(
+        "Paper",
+        "paper",
+        "App::PropertyBool",
+        TRANSLATE_LATER(
+            "FGMesh",
+            "Keep to the paper's own loop, which takes more elements and leaves flat ones; for comparisons",
+        ),
+    ),
+    Option(
         "StopAfter",
         "stop_after",
         "App::PropertyEnumeration",
