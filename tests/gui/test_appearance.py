@@ -67,7 +67,13 @@ look("mesh, done", "FGMeshMinSize")
 click("FGMeshOpenReport")
 settle(0.5)
 look("report", "FGMeshStages")
-plot = looks.ink(widget("FGMeshPlot")), looks.ink(widget("FGMeshCertificate"))
+around = looks.ink(widget("FGMeshCertificate"))
+area = widget("FGMeshPlot")
+while not isinstance(area, QtGui.QScrollArea):
+    area = area.parent()
+area.ensureWidgetVisible(widget("FGMeshPlot"))
+settle(0.3)
+plot = looks.ink(widget("FGMeshPlot")), around
 panel_button("Close")
 document.FGMesh.MaterialThreshold = 0.05
 select(document.FGMesh)
