@@ -110,7 +110,8 @@ def test_table_on_standard_output_and_progress_on_standard_error(meshed):
     done = meshed("box.vtu")
     rows = [line.split() for line in done.stdout.splitlines()]
     assert {"initial", "material", "geometry"} <= {row[0] for row in rows if row}
-    assert "geometry" in done.stderr and "\r" not in done.stderr
+    # Which stages are seen is a matter of how long they take.
+    assert re.search("material|geometry|certificate", done.stderr) and "\r" not in done.stderr
     assert re.search(r"above threshold\s+0 of \d+", done.stdout)
 
 
