@@ -257,9 +257,9 @@ def test_progress_is_passed_on(box):
     with worker.start(box, core.Material(["exp(-0.3*d)"]), options, control) as run:
         while not run.wait(0.01):
             seen.append((control.progress().stage, control.progress().fraction))
-        assert control.progress().stage == "geometry"
+        assert control.progress().stage == "certificate"
         assert control.progress().tets == len(run.result().tets)
-    order = ["", "reading", "initial", "material", "geometry"]
+    order = ["", "reading", "initial", "material", "geometry", "certificate"]
     places = [order.index(stage) for stage, _ in seen]
     assert places == sorted(places) and order.index("material") in places
     assert all(0 <= fraction <= 1 for _, fraction in seen)
