@@ -16,8 +16,8 @@ namespace {
 
 // Fitted to some 130 meshes of 30 parts, from 200 to 200000 tetrahedra; bench/estimate shows what they are
 // worth. Tetrahedra ...
-constexpr double kMaterialTets = 5.9;   // ... in a cube in which a linear f varies by the threshold
-constexpr double kStretch = 1.6;        // power of the stretch by which they are fewer; 2 far from boundaries
+constexpr double kMaterialTets = 6.5;   // ... in a cube in which a linear f varies by the threshold
+constexpr double kStretch = 1.7;        // power of the stretch by which they are fewer; 2 far from boundaries
 constexpr double kDeviationTets = 9.3;  // ... in a cube of the edge that the surface deviation wants
 /// Edges shorter than two MinSize are left as they are, so the mean is about 1.4: 8.5 regular tetrahedra fill
 /// the cube of their edge.
