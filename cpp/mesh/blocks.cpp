@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/blocks.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
-#include <cmath>
 
 namespace fgmesh {
 namespace {

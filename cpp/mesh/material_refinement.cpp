@@ -56,7 +56,7 @@ void thicken(MeshState& state, const MaterialRefinementOptions& options, RunCont
   }
 }
 
-/// Threshold relaxation in `sweeps` sweeps, with a damped ODT sweep now and then that keeps shapes good.
+/// Sweeps of threshold relaxation, with a damped ODT sweep now and then that keeps shapes good.
 void relax(MeshState& state, const MaterialRefinementOptions& options, RunControl& control) {
   constexpr int kSweepsBetween = 15;
   for (int sweep = 1; sweep <= options.relaxations; ++sweep) {
@@ -83,6 +83,7 @@ void refine_material(MeshState& state, const MaterialRefinementOptions& options,
   constexpr int kMostRounds = 20;
   constexpr double kMany = 0.002;    // of the tetrahedra; fewer than that are mended better one by one
   constexpr double kTooMany = 0.45;  // more than that are not worth mending before there are more points
+  constexpr int kShare = 32;         // of so many tetrahedra one gets a point then
   const auto count = [&] { return count_divisible(state, state.threshold(), options.sizing.min_size); };
   for (int round = 0; round < kMostRounds && state.complex.tet_count() < options.most_tets; ++round) {
     int above = count();
@@ -91,7 +92,7 @@ void refine_material(MeshState& state, const MaterialRefinementOptions& options,
       above = count();
     }
     // Only into a part of the tetrahedra: each point relieves its neighbours too.
-    int points = above / 32;
+    int points = above / kShare;
     const bool are_too_many = above > kTooMany * state.complex.tet_count();
     if (!are_too_many) {
       if (mender.run(3, control) == 0) break;

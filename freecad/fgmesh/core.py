@@ -112,8 +112,8 @@ class MeshingResult:
     straightened: indices of middle nodes that are not on the true boundary, since a tetrahedron would be
     turned over there.
     stages: list of StageReport; messages: list of str, for a reader.
-    status: "ok"; "threshold_not_met" (some tetrahedra stay above, at their corners or in between); else "deviation_not_met" (the boundary is
-    farther from the true one than surface_deviation).
+    status: "ok"; "threshold_not_met" (some tetrahedra stay above, at their corners or in between); else
+    "deviation_not_met" (the boundary is farther from the true one than surface_deviation).
     element_ratio, deviation_max (mm), surface_deviation (mm), volume and shape_volume (mm^3), threads,
     peak_memory_mb: numbers. solid_volumes, shape_solid_volumes: of SolidN at N - 1, mm^3; what several solids
     hold counts for the one that it is given to. material_threshold: the threshold that was asked for.

@@ -42,6 +42,39 @@ def shapes(tmp_path_factory):
     return folder
 
 
+@pytest.fixture(scope="module")
+def brep():
+    """Gives a shape's BREP text (bytes) by name."""
+    import FreeCAD  # noqa: F401  must come before Part
+    import Part
+
+    shapes = {
+        "box": Part.makeBox(10, 20, 5),
+        "ball": Part.makeSphere(10),
+        "cylinder": Part.makeCylinder(8, 12),
+        "drilled": Part.makeBox(20, 20, 8).cut(Part.makeCylinder(5, 8, FreeCAD.Vector(8, 10, 0))),
+    }
+    return lambda name: shapes[name].exportBrepToString().encode()
+
+
+@pytest.fixture(scope="module")
+def meshed(brep):
+    """Mesh a shape; the same call gives the same result without work."""
+    from freecad.fgmesh import core
+
+    known = {}
+
+    def run(name, formula, **options):
+        key = (name, formula, *sorted(options.items()))
+        if key not in known:
+            known[key] = core.generate_mesh(
+                brep(name), core.Material([formula]), core.MeshingOptions(**options)
+            )
+        return known[key]
+
+    return run
+
+
 @pytest.fixture(scope="session")
 def launcher(build_dir):
     return build_dir / "bin" / "fgmesh"

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What is proved of the threshold between the corners of tetrahedra, against samples of closed forms. Lengths in mm."""
 import json
-import time
 
 import numpy as np
 import pytest
@@ -115,9 +114,9 @@ def test_distances_to_the_solid_itself(brep):
 
 
 def test_a_jump_is_told_and_not_refined_for_ever(brep):
-    start = time.monotonic()
     result = core.generate_mesh(brep["box"], core.Material(["0.5*step(7.3,x)+x/50"]))
-    assert time.monotonic() - start < 20
+    without = core.generate_mesh(brep["box"], core.Material(["x/50"]))
+    assert len(result.tets) < 1.5 * len(without.tets)
     figures = core.report(result)["certified"]
     assert result.status == "threshold_not_met" and figures["holds"] is False
     x = result.points[result.tets][:, :, 0]

@@ -22,37 +22,6 @@ LARGEST_DELAY = 2.0
 """Of the end of a run after cancel(), seconds: what users are promised."""
 
 
-@pytest.fixture(scope="module")
-def brep():
-    """Gives a shape's BREP text (bytes) by name."""
-    import FreeCAD  # noqa: F401  must come before Part
-    import Part
-
-    shapes = {
-        "box": Part.makeBox(10, 20, 5),
-        "ball": Part.makeSphere(10),
-        "cylinder": Part.makeCylinder(8, 12),
-        "drilled": Part.makeBox(20, 20, 8).cut(Part.makeCylinder(5, 8, FreeCAD.Vector(8, 10, 0))),
-    }
-    return lambda name: shapes[name].exportBrepToString().encode()
-
-
-@pytest.fixture(scope="module")
-def meshed(brep):
-    """Mesh a shape; the same call gives the same result without work."""
-    known = {}
-
-    def run(name, formula, **options):
-        key = (name, formula, *sorted(options.items()))
-        if key not in known:
-            known[key] = core.generate_mesh(
-                brep(name), core.Material([formula]), core.MeshingOptions(**options)
-            )
-        return known[key]
-
-    return run
-
-
 CASES = {
     "box": ("box", "y/20", {"material_threshold": 0.2}),
     "ball": ("ball", "exp(-0.1*d)", {"material_threshold": 0.1, "surface_deviation": 0.05}),
@@ -402,53 +371,3 @@ def test_progress_goes_forward(brep):
         # Stage and fraction are read one after the other: the first may still be the last stage's.
         assert fractions[1:] == sorted(fractions[1:]), stage
         assert all(0 <= fraction <= 1 for fraction in fractions)
-
-
-def test_paper_never_moves_vertices_of_the_material_stage(brep, meshed):
-    options = {"material_threshold": 0.15, "surface_deviation": 0.02, "paper": True}
-    # The certificate may add vertices to what is the last stage.
-    before = meshed("cylinder", "(z/12)^2", **options, stop_after="material", certify=False)
-    after = meshed("cylinder", "(z/12)^2", **options)
-    assert before.status == "ok" and len(after.points) > len(before.points)
-    assert set(map(tuple, before.points)) <= set(map(tuple, after.points))
-
-
-def test_departures_from_the_paper_save_elements(meshed):
-    options = {"material_threshold": 0.15, "stop_after": "material"}
-    departed = meshed("cylinder", "(z/12)^2", **options)
-    paper = meshed("cylinder", "(z/12)^2", **options, paper=True)
-    assert len(departed.tets) < 0.7 * len(paper.tets)
-    assert departed.dihedral_min.min() > paper.dihedral_min.min()
-
-
-@pytest.mark.parametrize("count", [1, 2])
-def test_number_of_threads_is_told_and_does_not_matter(brep, count):
-    # Fine enough to be worked on in parts.
-    options = {"material_threshold": 0.035, "stop_after": "material"}
-    material = core.Material(["exp(-0.1*d)"])
-    result = core.generate_mesh(brep("ball"), material, core.MeshingOptions(**options, threads=count))
-    assert len(result.points) > 8192
-    assert result.threads <= count
-    again = core.generate_mesh(brep("ball"), material, core.MeshingOptions(**options))
-    for name in ("points", "tets", "triangles", "fractions"):
-        assert getattr(result, name).tobytes() == getattr(again, name).tobytes()
-
-
-def test_layer_steeper_than_min_size_is_followed_only_as_far_as_that(meshed):
-    # 0.05 mm thick; elements of 0.5 mm cannot follow it.
-    result = meshed("box", "0.5 + 0.5*tanh((y-10)/0.05)", min_size=0.5, certify=False)
-    assert result.status == "threshold_not_met"
-    places = result.points[result.tets[result.above_threshold]][..., 1]
-    assert places.min(axis=1).max() <= 10.2 and places.max(axis=1).min() >= 9.8
-    layer = 10 * 5 * 3 * 0.5  # mm^3: three elements on either side, of the size that is allowed
-    assert len(result.tets) < 3000 + 8.5 * layer / 0.5**3
-
-
-def test_jump_on_a_slope_costs_no_elements(meshed):
-    slope = meshed("box", "y/40")
-    jump = meshed("box", "y/40 + 0.5*step(10.3,y)")
-    assert jump.status == "threshold_not_met"
-    places = jump.points[jump.tets[jump.above_threshold]][..., 1]
-    assert np.all((places.min(axis=1) <= 10.3) & (places.max(axis=1) >= 10.3))
-    assert len(jump.tets) < 1.5 * len(slope.tets)
-    assert jump.dihedral_min.min() > 10
