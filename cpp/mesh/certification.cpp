@@ -15,7 +15,7 @@ namespace {
 /// Pieces that a tetrahedron is divided into, at first and where that is not enough: those that need little
 /// are not to wait for those that no number of pieces proves.
 constexpr int kPieces[] = {48, 300, 2000};
-/// In the mean of all tetrahedra there are no more of them; then what is open remains so.
+/// In the mean of all that are looked at there are no more of them; then what is open remains so.
 constexpr int kMeanPieces = 100;
 
 Corners corners_of(const MeshState& state, int t) {
@@ -31,12 +31,12 @@ class Certificates {
   /// Those of all tetrahedra that changed since the last call.
   void update(RunControl& control) {
     std::vector<int> open = changed();
-    const std::int64_t most = std::int64_t{kMeanPieces} * state_.complex.tet_count();
+    budget_ += std::int64_t{kMeanPieces} * static_cast<std::int64_t>(open.size());
     for (const int pieces : kPieces) {
       // In batches, so that what is left out does not depend on how many are worked on at the same time.
       constexpr std::size_t kBatch = 256;
       for (std::size_t begin = 0; begin < open.size(); begin += kBatch) {
-        if (pieces > kPieces[0] && effort_ >= most) return;
+        if (pieces > kPieces[0] && effort_ >= budget_) return;
         const std::size_t end = std::min(begin + kBatch, open.size());
         certify({open.begin() + begin, open.begin() + end}, pieces, control);
       }
@@ -46,16 +46,14 @@ class Certificates {
     }
   }
 
-  /// The tetrahedra that break the threshold though their corners keep it, worst first.
-  std::vector<int> hidden_breaks() const {
-    std::vector<int> tets;
-    for (int t = 0; t < state_.complex.slots(); ++t)
-      if (state_.complex.tet(t).alive() && certificates_[t].proof == Proof::kBroken &&
-          !(state_.variation(t) > state_.threshold()))
-        tets.push_back(t);
-    std::stable_sort(tets.begin(), tets.end(),
-                     [&](int a, int b) { return certificates_[a].variation > certificates_[b].variation; });
-    return tets;
+  /// What is to be divided, worst first: the tetrahedra that break the threshold though their corners keep
+  /// it; where there are none any more those that nothing was proved of, if few. Many are the formula's fault.
+  std::vector<int> to_divide() const {
+    constexpr double kFew = 0.05;
+    std::vector<int> tets = hidden(Proof::kBroken);
+    if (!tets.empty()) return tets;
+    tets = hidden(Proof::kUnproved);
+    return tets.size() <= kFew * state_.complex.tet_count() ? tets : std::vector<int>{};
   }
 
   const TetCertificate& operator[](int t) const { return certificates_[t]; }
@@ -76,6 +74,18 @@ class Certificates {
       of_[t] = corners_of(state_, t);
       tets.push_back(t);
     }
+    return tets;
+  }
+
+  /// Those with this proof whose corners keep the threshold, worst first.
+  std::vector<int> hidden(Proof proof) const {
+    std::vector<int> tets;
+    for (int t = 0; t < state_.complex.slots(); ++t)
+      if (state_.complex.tet(t).alive() && certificates_[t].proof == proof &&
+          !(state_.variation(t) > state_.threshold()))
+        tets.push_back(t);
+    std::stable_sort(tets.begin(), tets.end(),
+                     [&](int a, int b) { return certificates_[a].variation > certificates_[b].variation; });
     return tets;
   }
 
@@ -102,7 +112,8 @@ class Certificates {
   std::vector<TetCertificate> certificates_;
   std::vector<Corners> of_;  // the tetrahedra that they were made for, by their corners,
   std::vector<int> solid_;   // and by their solids; 0: none
-  std::int64_t effort_ = 0;  // pieces in all
+  std::int64_t effort_ = 0;  // pieces in all,
+  std::int64_t budget_ = 0;  // and how many there may be
 };
 
 /// The edges of a tetrahedron that can be split, the longest first.
@@ -153,20 +164,26 @@ std::vector<TetCertificate> certify_mesh(MeshState& state, const CertificationOp
   constexpr int kMostRounds = 12;
   Certificates certificates(state);
   certificates.update(control);
-  QualityGoal goal = options.goal;
-  goal.between = true;
-  const TetScore score(state, goal);
+  const TetScore score(state, options.goal);
   WorstFirst mender(state, score);
+  int left = 0, left_before = 0;
   for (int round = 0; round < kMostRounds; ++round) {
     control.report(static_cast<double>(round) / kMostRounds, state.complex.tet_count());
-    const std::vector<int> broken = certificates.hidden_breaks();
-    if (broken.empty() || state.complex.tet_count() >= options.most_tets) break;
+    const std::vector<int> tets = certificates.to_divide();
+    const int above = count_divisible(state, state.threshold(), options.min_size);
+    const bool is_done = tets.empty() && above == 0 && (left == 0 || left == left_before);
+    if (is_done || state.complex.tet_count() >= options.most_tets) break;
     // At first without new points: most are broken by so little that moves of vertices mend them.
-    if (round > 0 && split(state, broken, certificates, options, control) == 0) break;
-    mender.run(3, control);
-    if (insert_steiner_points(state, state.threshold(), options.min_size, broken.size(), control) > 0)
-      mender.run(3, control);
+    int added = round > 0 ? split(state, tets, certificates, options, control) : 0;
+    left_before = left;
+    left = mender.run(3, control);
+    const std::size_t most = tets.size() + above;
+    if (const int points = insert_steiner_points(state, state.threshold(), options.min_size, most, control)) {
+      added += points;
+      left = mender.run(3, control);
+    }
     certificates.update(control);
+    if (round > 0 && added == 0) break;
   }
   return certificates.all();
 }

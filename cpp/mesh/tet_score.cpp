@@ -35,7 +35,8 @@ double TetScore::of(const Vertex& a, const Vertex& b, const Vertex& c, const Ver
   if (goal_.between) {
     // What is foretold is not all; and what keeps the threshold with nothing to spare is hard to prove.
     constexpr double kCaution = 1.01;
-    variation = std::max(variation, kCaution * foretold_variation(a, b, c, d));
+    const double foretold = foretold_variation(a, b, c, d);
+    if (foretold > variation) variation = kCaution * foretold;
   }
   // The floor keeps angles from being given up for a tetrahedron that no move can bring below the threshold
   // (a jump).

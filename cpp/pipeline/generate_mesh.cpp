@@ -210,7 +210,8 @@ MeshingResult run(const std::string& shape, const std::vector<const CompositionF
   std::vector<Carrier> bridged;
   NodeFractions fractions = run_stage("initial", state, result, control,
                                       [&] { bridged = make_initial_mesh(start, options.max_size, control); });
-  const QualityGoal goal = quality_goal(options.anisotropy);
+  QualityGoal goal = quality_goal(options.anisotropy);
+  goal.between = options.certify;
   if (options.stop_after != "initial") {
     fractions = run_stage("material", state, result, control, [&] {
       MaterialRefinementOptions refinement;
