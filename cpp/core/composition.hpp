@@ -24,9 +24,22 @@ double magnitude(const Composition& change);
 
 Composition change(const Composition& from, const Composition& to);
 
+/// || M_a - M_b ||^2; of `Parts` as Composition holds them.
+template <class Parts>
+double squared_difference(const Parts& a, const Parts& b) {
+  if (a.size() == 1) return (a[0] - b[0]) * (a[0] - b[0]);
+  double squares = 0.0, last = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double part = a[i] - b[i];
+    squares += part * part;
+    last += part;
+  }
+  return squares + last * last;
+}
+
 /// || M_a - M_b ||
 inline double difference(const Composition& a, const Composition& b) {
-  return a.size() == 1 ? std::abs(a[0] - b[0]) : magnitude(change(a, b));
+  return a.size() == 1 ? std::abs(a[0] - b[0]) : std::sqrt(squared_difference(a, b));
 }
 
 /// The change along a short way, to first order.
@@ -45,8 +58,8 @@ inline double composition_variation(const Composition& a, const Composition& b, 
   if (a.size() == 1)
     return std::max(std::max(a[0], b[0]), std::max(c[0], d[0])) -
            std::min(std::min(a[0], b[0]), std::min(c[0], d[0]));
-  return std::max({difference(a, b), difference(a, c), difference(a, d), difference(b, c), difference(b, d),
-                   difference(c, d)});
+  return std::sqrt(std::max({squared_difference(a, b), squared_difference(a, c), squared_difference(a, d),
+                             squared_difference(b, c), squared_difference(b, d), squared_difference(c, d)}));
 }
 
 }  // namespace fgmesh

@@ -44,21 +44,24 @@ double foretold_range(const std::array<const Vertex*, 4>& corners) {
 
 /// Of more: the largest difference between corners and middles of edges.
 double foretold_distance(const std::array<const Vertex*, 4>& corners) {
-  std::array<Composition, 10> values;
-  for (int i = 0; i < 4; ++i) values[i] = corners[i]->own.composition;
+  // As Composition, but without asking for memory.
+  using Parts = boost::container::small_vector<double, 7>;
+  std::array<Parts, 10> values;
+  for (int i = 0; i < 4; ++i)
+    values[i].assign(corners[i]->own.composition.begin(), corners[i]->own.composition.end());
   for (int e = 0; e < 6; ++e) {
-    const Vertex &from = *corners[kEdgeVertices[e][0]], &to = *corners[kEdgeVertices[e][1]];
-    const Vec3 way = to.position - from.position;
-    Composition& middle = values[4 + e] = from.own.composition;
-    for (std::size_t c = 0; c < middle.size(); ++c)
-      middle[c] = std::clamp(0.5 * (from.own.composition[c] + to.own.composition[c]) +
-                                 0.125 * (from.own.gradient[c] - to.own.gradient[c]).dot(way),
-                             0.0, 1.0);
+    const auto& [i, j] = kEdgeVertices[e];
+    const Vec3 way = corners[j]->position - corners[i]->position;
+    for (std::size_t c = 0; c < values[i].size(); ++c)
+      values[4 + e].push_back(std::clamp(
+          0.5 * (values[i][c] + values[j][c]) +
+              0.125 * (corners[i]->own.gradient[c] - corners[j]->own.gradient[c]).dot(way),
+          0.0, 1.0));
   }
   double largest = 0.0;
   for (int i = 1; i < 10; ++i)
-    for (int j = 0; j < i; ++j) largest = std::max(largest, difference(values[i], values[j]));
-  return largest;
+    for (int j = 0; j < i; ++j) largest = std::max(largest, squared_difference(values[i], values[j]));
+  return std::sqrt(largest);
 }
 
 }  // namespace

@@ -162,7 +162,7 @@ class PairBound {
     double apart = 0.0;
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j < 4; ++j)
-        if (holds(at_a, i) && holds(at_b, j)) apart = std::max(apart, squared(a.values[i], b.values[j]));
+        if (holds(at_a, i) && holds(at_b, j)) apart = std::max(apart, squared_difference(a.values[i], b.values[j]));
     return std::min(by_values, std::sqrt(apart) + bend(a, at_a) + bend(b, at_b));
   }
 
@@ -175,17 +175,6 @@ class PairBound {
 
   /// As Composition, but without asking for memory: pairs are many.
   using Parts = boost::container::small_vector<double, 8>;
-
-  /// The square of difference().
-  static double squared(const Composition& a, const Composition& b) {
-    double squares = 0.0, last = 0.0;
-    for (std::size_t c = 0; c < a.size(); ++c) {
-      const double part = a[c] - b[c];
-      squares += part * part;
-      last += part;
-    }
-    return squares + last * last;
-  }
 
   static double largest_magnitude(const Parts& low, const Parts& high) {
     double squares = 0.0, last_low = 0.0, last_high = 0.0;
