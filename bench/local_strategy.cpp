@@ -101,14 +101,15 @@ int insert_on_longest_edges(MeshState& state, RunControl& control) {
 
 /// Lengths as in the pipeline, so that all strategies start from the same initial mesh.
 void refine_locally(MeshState& state, const SampledBoundary& samples, bool longest, RunControl& control) {
-  const double max_size = state.diagonal() / 8.0, min_size = state.diagonal() / 2000.0;
+  const double max_size = state.diagonal() / 8.0;
   constexpr std::size_t kMostPoints = 2000000;
   state.chord_limit = max_size / 20.0;
   make_initial_mesh(state, samples, {max_size, state.chord_limit}, control);
+  state.min_size = state.diagonal() / 2000.0;
   int inserted = 1;
   while (inserted > 0 && state.vertices.size() < kMostPoints)
     inserted = longest ? insert_on_longest_edges(state, control)
-                       : insert_steiner_points(state, state.threshold(), min_size, kMostPoints, control);
+                       : insert_steiner_points(state, state.threshold(), kMostPoints, control);
 }
 
 void run(bool longest, const char* part, const char* formula, const char* threshold, const char* out) {

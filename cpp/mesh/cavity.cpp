@@ -129,10 +129,20 @@ bool Cavity::keeps_frozen() const {
   });
 }
 
+/// Whether no new edge is too short.
+bool Cavity::keeps_min_size(const Vec3& place) const {
+  if (state_.min_size == 0.0) return true;
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const NewTet& made : filling(-1))
+    for (int v : made.vertex)
+      if (v >= 0) shortest = std::min(shortest, (state_.position(v) - place).squaredNorm());
+  return state_.may_be_made(shortest, tets_);
+}
+
 bool Cavity::open(const Vertex& vertex) {
   const std::size_t at_edge = removed_.size();
   if (!grow(vertex.position) || !find_border()) return false;
-  if (state_.keeps_frozen && !keeps_frozen()) return false;
+  if (!keeps_min_size(vertex.position) || (state_.keeps_frozen && !keeps_frozen())) return false;
   return removed_.size() == at_edge || keeps_surface(vertex);
 }
 

@@ -19,7 +19,8 @@ class Cavity {
   /// Grows until `vertex` sees all faces of the cavity from inside. Facets of the boundary that it does not
   /// see make room, too (a hollow wall, the plane beside a bent crease), where they are neighbours, on the
   /// same face, of those that do already. Inner vertices may go; vertices of faces only for a vertex of a
-  /// crease. False where the boundary is in the way.
+  /// crease. False where the boundary is in the way, or an
+  /// edge would be too short.
   bool open(const Vertex& vertex);
 
   const std::vector<int>& tets() const { return tets_; }
@@ -48,6 +49,7 @@ class Cavity {
   bool may_go(const std::array<int, 3>& facet, int label) const;
   bool grow(const Vec3& place);
   bool find_border();
+  bool keeps_min_size(const Vec3& place) const;
   bool keeps_frozen() const;
   bool keeps_surface(const Vertex& vertex) const;
 

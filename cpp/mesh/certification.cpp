@@ -47,7 +47,8 @@ class Certificates {
   }
 
   /// What is to be divided, worst first: the tetrahedra that break the threshold though their corners keep
-  /// it; where there are none any more those that nothing was proved of, if few. Many are the formula's fault.
+  /// it; where there are none any more those that nothing was proved of, if few. Many are the formula's
+  /// fault.
   std::vector<int> to_divide() const {
     constexpr double kFew = 0.05;
     std::vector<int> tets = hidden(Proof::kBroken);
@@ -117,14 +118,14 @@ class Certificates {
 };
 
 /// The edges of a tetrahedron that can be split, the longest first.
-std::vector<std::array<int, 2>> edges_to_split(const MeshState& state, int t, double min_size) {
+std::vector<std::array<int, 2>> edges_to_split(const MeshState& state, int t) {
   const std::array<int, 4>& v = state.complex.tet(t).vertex;
   std::vector<std::array<int, 2>> edges;
   const auto length = [&](const std::array<int, 2>& edge) {
     return (state.position(edge[0]) - state.position(edge[1])).norm();
   };
   for (const auto& [i, j] : kEdgeVertices)
-    if (length({v[i], v[j]}) >= 2.0 * min_size) edges.push_back({v[i], v[j]});
+    if (length({v[i], v[j]}) >= 2.0 * state.min_size) edges.push_back({v[i], v[j]});
   std::stable_sort(edges.begin(), edges.end(),
                    [&](const auto& a, const auto& b) { return length(a) > length(b); });
   return edges;
@@ -133,7 +134,7 @@ std::vector<std::array<int, 2>> edges_to_split(const MeshState& state, int t, do
 /// Splits the longest edges of the tetrahedra; none that another split of this call has touched. Returns how
 /// many.
 int split(MeshState& state, const std::vector<int>& tets, const Certificates& certificates,
-          const CertificationOptions& options, RunControl& control) {
+          RunControl& control) {
   TetComplex& complex = state.complex;
   const int old_vertices = complex.vertex_slots();
   int count = 0;
@@ -144,7 +145,7 @@ int split(MeshState& state, const std::vector<int>& tets, const Certificates& ce
     if (!tet.alive() || *std::max_element(tet.vertex.begin(), tet.vertex.end()) >= old_vertices) continue;
     const auto& [p, q] = certificates[t].apart;
     if (jumps_between(state.materials().field(state.material(t)), p, q, state.threshold())) continue;
-    for (const auto& [a, b] : edges_to_split(state, t, options.min_size)) {
+    for (const auto& [a, b] : edges_to_split(state, t)) {
       EdgeRing ring;
       complex.ring(a, b, t, ring);
       const int v =
@@ -159,26 +160,26 @@ int split(MeshState& state, const std::vector<int>& tets, const Certificates& ce
 
 }  // namespace
 
-std::vector<TetCertificate> certify_mesh(MeshState& state, const CertificationOptions& options,
-                                         RunControl& control) {
+std::vector<TetCertificate> certify_mesh(MeshState& state, const QualityGoal& goal, RunControl& control) {
+  constexpr int kMostTets = 20000000;  // nothing is divided once the mesh has as many
   constexpr int kMostRounds = 12;
   Certificates certificates(state);
   certificates.update(control);
-  const TetScore score(state, options.goal);
+  const TetScore score(state, goal);
   WorstFirst mender(state, score);
   int left = 0, left_before = 0;
   for (int round = 0; round < kMostRounds; ++round) {
     control.report(static_cast<double>(round) / kMostRounds, state.complex.tet_count());
     const std::vector<int> tets = certificates.to_divide();
-    const int above = count_divisible(state, state.threshold(), options.min_size);
+    const int above = count_divisible(state, state.threshold());
     const bool is_done = tets.empty() && above == 0 && (left == 0 || left == left_before);
-    if (is_done || state.complex.tet_count() >= options.most_tets) break;
+    if (is_done || state.complex.tet_count() >= kMostTets) break;
     // At first without new points: most are broken by so little that moves of vertices mend them.
-    int added = round > 0 ? split(state, tets, certificates, options, control) : 0;
+    int added = round > 0 ? split(state, tets, certificates, control) : 0;
     left_before = left;
     left = mender.run(3, control);
     const std::size_t most = tets.size() + above;
-    if (const int points = insert_steiner_points(state, state.threshold(), options.min_size, most, control)) {
+    if (const int points = insert_steiner_points(state, state.threshold(), most, control)) {
       added += points;
       left = mender.run(3, control);
     }

@@ -10,16 +10,10 @@
 
 namespace fgmesh {
 
-struct CertificationOptions {
-  double min_size = 0.0;  ///< mm; no edge is split into shorter ones
-  QualityGoal goal;
-  int most_tets = 20000000;  ///< nothing is mended once the mesh has as many
-};
-
 /// Proves the material threshold over the whole of each tetrahedron, where the stages look at its corners,
 /// and splits those that break it in between, a few times over; not where f jumps or edges would become
-/// shorter than min_size. The certificate of each slot of the complex; that of a free one says nothing.
-std::vector<TetCertificate> certify_mesh(MeshState& state, const CertificationOptions& options,
-                                         RunControl& control);
+/// shorter than MeshState::min_size. The certificate of each slot of the complex; that of a free one says
+/// nothing.
+std::vector<TetCertificate> certify_mesh(MeshState& state, const QualityGoal& goal, RunControl& control);
 
 }  // namespace fgmesh

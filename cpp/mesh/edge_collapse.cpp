@@ -98,6 +98,7 @@ class Collapse {
     return beyond < 0 || !contains(at_target.neighbours, beyond);
   }
 
+  /// Makes the new tetrahedra; false where one of them does not score above `least`, or is too small.
   bool make_tets(const TetScore& score, double least) {
     for (int t : around_.star) {
       const Tet& tet = state_.complex.tet(t);
@@ -107,7 +108,7 @@ class Collapse {
       if (!(score(made.vertex) > least)) return false;
       tets_.push_back(made);
     }
-    return true;
+    return state_.may_be_made(tets_, around_.star);
   }
 
   bool keeps_surface() {

@@ -99,7 +99,7 @@ int split_boundary_edge(MeshState& state, int a, int b, int t) {
   }
 }
 
-int resolve_boundary(MeshState& state, double min_size, RunControl& control) {
+int resolve_boundary(MeshState& state, RunControl& control) {
   TetComplex& complex = state.complex;
   int count = 0;
   // Tetrahedra made on the way get slots further on or are met in the next pass.
@@ -114,7 +114,7 @@ int resolve_boundary(MeshState& state, double min_size, RunControl& control) {
         const int first = tet.label[kEdgeVertices[5 - e][0]], second = tet.label[kEdgeVertices[5 - e][1]];
         if (!first && !second) continue;
         const Vertex &a = state.vertices[tet.vertex[i]], &b = state.vertices[tet.vertex[j]];
-        if ((a.position - b.position).norm() < 2.0 * min_size) continue;
+        if ((a.position - b.position).norm() < 2.0 * state.min_size) continue;
         if (chord_error(state, a, b, first ? first : second) > allowed_chord_error(state, a, b) &&
             split_boundary_edge(state, tet.vertex[i], tet.vertex[j], t) >= 0)
           ++count;

@@ -10,7 +10,7 @@ namespace fgmesh {
 /// Splits the edge (a, b), which tetrahedron t has, by a new vertex half-way, on the edge's carrier.
 /// Where the new vertex lies beyond a face of the tetrahedra around the edge (a hollow wall), those behind
 /// that face make room too, inner vertices among them may go. Returns the vertex; -1, and nothing is changed,
-/// where the boundary is in the way.
+/// where the boundary or MeshState::min_size is in the way.
 int split_edge(MeshState& state, int a, int b, int t);
 
 /// Puts a vertex at a place inside the solid near the inner edge (a, b) instead of that edge, and of whatever
@@ -24,7 +24,7 @@ bool insert_beside_edge(MeshState& state, int a, int b, const Vec3& place, const
 int split_boundary_edge(MeshState& state, int a, int b, int t);
 
 /// Splits boundary edges that are farther from the true boundary than allowed_chord_error(), until they are
-/// not, would become shorter than min_size, or cannot be split. Returns how many were.
-int resolve_boundary(MeshState& state, double min_size, RunControl& control);
+/// not, would become shorter than MeshState::min_size, or cannot be split. Returns how many were.
+int resolve_boundary(MeshState& state, RunControl& control);
 
 }  // namespace fgmesh

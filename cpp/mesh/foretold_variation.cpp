@@ -53,10 +53,10 @@ double foretold_distance(const std::array<const Vertex*, 4>& corners) {
     const auto& [i, j] = kEdgeVertices[e];
     const Vec3 way = corners[j]->position - corners[i]->position;
     for (std::size_t c = 0; c < values[i].size(); ++c)
-      values[4 + e].push_back(std::clamp(
-          0.5 * (values[i][c] + values[j][c]) +
-              0.125 * (corners[i]->own.gradient[c] - corners[j]->own.gradient[c]).dot(way),
-          0.0, 1.0));
+      values[4 + e].push_back(
+          std::clamp(0.5 * (values[i][c] + values[j][c]) +
+                         0.125 * (corners[i]->own.gradient[c] - corners[j]->own.gradient[c]).dot(way),
+                     0.0, 1.0));
   }
   double largest = 0.0;
   for (int i = 1; i < 10; ++i)

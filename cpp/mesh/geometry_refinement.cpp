@@ -36,7 +36,7 @@ int split_boundary(MeshState& state, const GeometryRefinementOptions& options, R
   const int old_vertices = complex.vertex_slots();
   int count = 0;
   for (const auto& [a, b, edge] : complex.creases()) {
-    if (length(state, a, b) < 2.0 * options.min_size ||
+    if (length(state, a, b) < 2.0 * state.min_size ||
         crease_error(state, state.vertices[a], state.vertices[b], edge) <= options.deviation)
       continue;
     const int t = complex.find_edge(a, b);
@@ -53,7 +53,7 @@ int split_boundary(MeshState& state, const GeometryRefinementOptions& options, R
       if (*std::max_element(facet.begin(), facet.end()) >= old_vertices) continue;
       if (facet_deviation(state, t, face) <= options.deviation) continue;
       const auto [a, b] = edge_to_split(state, facet, tet.label[face]);
-      if (length(state, a, b) >= 2.0 * options.min_size && split_boundary_edge(state, a, b, t) >= 0) ++count;
+      if (length(state, a, b) >= 2.0 * state.min_size && split_boundary_edge(state, a, b, t) >= 0) ++count;
     }
   }
   return count;
@@ -85,7 +85,7 @@ void grade_sizes(MeshState& state, const GeometryRefinementOptions& options) {
 }
 
 /// Splits edges that are much longer than the graded size wants. Returns how many.
-int split_long_edges(MeshState& state, double min_size, RunControl& control) {
+int split_long_edges(MeshState& state, RunControl& control) {
   constexpr double kTooLong = 1.7;
   TetComplex& complex = state.complex;
   const int old_vertices = complex.vertex_slots();
@@ -100,7 +100,7 @@ int split_long_edges(MeshState& state, double min_size, RunControl& control) {
     for (const auto& [i, j] : kEdgeVertices) {
       const double size = length(state, v[i], v[j]);
       const double ratio = 2.0 * size / (state.vertices[v[i]].size + state.vertices[v[j]].size);
-      if (ratio > largest && size > 2.0 * min_size) {
+      if (ratio > largest && size > 2.0 * state.min_size) {
         largest = ratio;
         edge = {v[i], v[j]};
       }
@@ -120,7 +120,7 @@ void approach_boundary(MeshState& state, const GeometryRefinementOptions& option
     control.report(0.7 * round / (round + 4.0), state.complex.tet_count());
     const int on_boundary = split_boundary(state, options, control);
     grade_sizes(state, options);
-    const int inside = split_long_edges(state, options.min_size, control);
+    const int inside = split_long_edges(state, control);
     if (on_boundary + inside == 0) return;
     quiet = on_boundary > 0 ? 0 : quiet + 1;
     swap_pass(state, energy, control);
@@ -180,8 +180,7 @@ void refine_geometry(MeshState& state, const GeometryRefinementOptions& options,
     const int above = count_above(state, state.threshold());
     int changed = split_boundary(state, options, control);
     if (above > 0)
-      changed +=
-          insert_steiner_points(state, state.threshold(), options.min_size, std::max(8, above / 4), control);
+      changed += insert_steiner_points(state, state.threshold(), std::max(8, above / 4), control);
     if (changed == 0 && (left == 0 || repair > 3)) return;
   }
   mender.run(10, control);

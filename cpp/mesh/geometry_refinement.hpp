@@ -9,7 +9,6 @@ namespace fgmesh {
 
 struct GeometryRefinementOptions {
   double deviation = 0.0;  ///< largest distance of facet centres and crease middles to the true boundary, mm
-  double min_size = 0.0;   ///< mm; facets with shorter edges are left as they are
   double growth = 0.6;     ///< how fast elements may grow from the boundary inwards, mm a mm
   QualityGoal goal;
 };

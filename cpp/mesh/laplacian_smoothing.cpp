@@ -51,7 +51,7 @@ void laplacian_sweep(MeshState& state, const TetScore& shape, double floor, RunC
     for (int w : neighbours) mean += state.position(w) / static_cast<double>(neighbours.size());
 
     const std::optional<Vertex> moved = state.moved(vertex, mean);
-    if (!moved || !keeps_surface(state, v, *moved, star)) continue;
+    if (!moved || !may_move(state, v, *moved, star)) continue;
     double before = 1.0, after = 1.0;
     for (int t : star) before = std::min(before, shape(t));
     const double least = std::min(before, floor);

@@ -33,9 +33,9 @@ void grow(MeshState& state, const MaterialRefinementOptions& options, double lim
       sorted = state.vertices.size();
     }
     control.report(0.6 * round / (round + 8.0), state.complex.tet_count());
-    resolve_boundary(state, options.sizing.min_size, control);
+    resolve_boundary(state, control);
     const int room = std::max(0, options.most_tets - state.complex.tet_count());
-    const int inserted = insert_steiner_points(state, limit, options.sizing.min_size, room, control);
+    const int inserted = insert_steiner_points(state, limit, room, control);
     if (inserted <= done * state.complex.tet_count()) break;
     smooth(state, options, options.growth_sweeps, 1.0, control);
   }
@@ -49,9 +49,9 @@ void thicken(MeshState& state, const MaterialRefinementOptions& options, RunCont
   constexpr double kMany = 0.15;  // of the tetrahedra
   constexpr int kRelieved = 8;    // tetrahedra that a point relieves
   for (int round = 0; round < kMostRounds; ++round) {
-    const int above = count_divisible(state, limit, options.sizing.min_size);
+    const int above = count_divisible(state, limit);
     if (above < kMany * state.complex.tet_count() || state.complex.tet_count() >= options.most_tets) break;
-    if (insert_steiner_points(state, limit, options.sizing.min_size, above / kRelieved, control) == 0) break;
+    if (insert_steiner_points(state, limit, above / kRelieved, control) == 0) break;
     smooth(state, options, options.growth_sweeps, 1.0, control);
   }
 }
@@ -61,7 +61,7 @@ void relax(MeshState& state, const MaterialRefinementOptions& options, RunContro
   constexpr int kSweepsBetween = 15;
   for (int sweep = 1; sweep <= options.relaxations; ++sweep) {
     if (sweep % kSweepsBetween == 0) smooth(state, options, 1, 0.5, control);
-    relax_threshold(state, options.relaxation_aim * state.threshold(), options.sizing.min_size, control);
+    relax_threshold(state, options.relaxation_aim * state.threshold(), control);
   }
 }
 
@@ -81,12 +81,14 @@ void refine_material(MeshState& state, const MaterialRefinementOptions& options,
   const TetScore score(state, options.goal);
   WorstFirst mender(state, score);
   constexpr int kMostRounds = 20;
+  constexpr int kBarredRounds = 4;   // where no point may be put into most of those above
   constexpr double kMany = 0.002;    // of the tetrahedra; fewer than that are mended better one by one
   constexpr double kTooMany = 0.45;  // more than that are not worth mending before there are more points
   constexpr int kShare = 32;         // of so many tetrahedra one gets a point then
-  const auto count = [&] { return count_divisible(state, state.threshold(), options.sizing.min_size); };
+  const auto count = [&] { return count_divisible(state, state.threshold()); };
   for (int round = 0; round < kMostRounds && state.complex.tet_count() < options.most_tets; ++round) {
     int above = count();
+    if (round >= kBarredRounds && count_above(state, state.threshold()) > 2 * above) break;
     if (round == 0 || above > kMany * state.complex.tet_count()) {
       relax(state, options, control);
       above = count();
@@ -99,7 +101,7 @@ void refine_material(MeshState& state, const MaterialRefinementOptions& options,
       points = std::max(8, count() / 4);
     }
     control.report(0.6 + 0.4 * (round + 1) / kMostRounds, state.complex.tet_count());
-    if (insert_steiner_points(state, state.threshold(), options.sizing.min_size, points, control) == 0) break;
+    if (insert_steiner_points(state, state.threshold(), points, control) == 0) break;
     if (are_too_many) smooth(state, options, options.growth_sweeps, 1.0, control);
   }
   mender.run(10, control);

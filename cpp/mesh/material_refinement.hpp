@@ -28,8 +28,8 @@ struct MaterialRefinementOptions {
 
 /// Material-oriented refinement (paper, section 2.3): Steiner points into the tetrahedra above the threshold,
 /// ODT smoothing with the sizing field of equation 2.7, and again, until none is above; then the last few are
-/// mended one by one. Tetrahedra across a jump of f, or whose edges would fall below sizing.min_size, stay
-/// above.
+/// mended one by one. Tetrahedra across a jump of f, or whose edges would fall below MeshState::min_size,
+/// stay above.
 void refine_material(MeshState& state, const MaterialRefinementOptions& options, RunControl& control);
 
 }  // namespace fgmesh

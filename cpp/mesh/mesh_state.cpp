@@ -274,8 +274,26 @@ bool faces_outward(const MeshState& state, const Vertex& a, const Vertex& b, con
   return outward.isZero() || normal.dot(outward) > least;
 }
 
-bool keeps_surface(const MeshState& state, int v, const Vertex& moved, const std::vector<int>& star) {
+namespace {
+
+/// No edge at the vertex becomes shorter than min_size and than those there are.
+bool keeps_min_size(const MeshState& state, int v, const Vec3& place, const std::vector<int>& star) {
+  double before = std::numeric_limits<double>::infinity(), after = before;
+  for (int t : star) {
+    for (int w : state.complex.tet(t).vertex) {
+      if (w == v) continue;
+      before = std::min(before, (state.position(w) - state.position(v)).squaredNorm());
+      after = std::min(after, (state.position(w) - place).squaredNorm());
+    }
+  }
+  return after >= std::min(before, state.min_size * state.min_size);
+}
+
+}  // namespace
+
+bool may_move(const MeshState& state, int v, const Vertex& moved, const std::vector<int>& star) {
   const Vertex& old = state.vertices[v];
+  if (state.min_size > 0.0 && !keeps_min_size(state, v, moved.position, star)) return false;
   if (old.carrier.dimension == 3) return true;
   for (int t : star) {
     const Tet& tet = state.complex.tet(t);
@@ -300,6 +318,26 @@ bool keeps_surface(const MeshState& state, int v, const Vertex& moved, const std
     }
   }
   return true;
+}
+
+bool MeshState::may_be_made(double squared_length, const std::vector<int>& in_place_of) const {
+  if (squared_length >= min_size * min_size) return true;
+  return std::any_of(in_place_of.begin(), in_place_of.end(),
+                     [&](int t) { return shortest_edge_squared(complex.tet(t).vertex) <= squared_length; });
+}
+
+bool MeshState::may_be_made(const std::vector<NewTet>& made, const std::vector<int>& in_place_of) const {
+  if (min_size == 0.0) return true;
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const NewTet& tet : made) shortest = std::min(shortest, shortest_edge_squared(tet.vertex));
+  return may_be_made(shortest, in_place_of);
+}
+
+double MeshState::shortest_edge_squared(const std::array<int, 4>& v) const {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const auto& [i, j] : kEdgeVertices)
+    shortest = std::min(shortest, (position(v[i]) - position(v[j])).squaredNorm());
+  return shortest;
 }
 
 int MeshState::label_at(int a, int b, const EdgeRing& ring) const {

@@ -76,6 +76,10 @@ class MeshState {
   /// allowed_chord_error().
   double chord_limit = 0.0;
 
+  /// No edge is made shorter than this, mm, but in place of one that is no longer: the initial mesh, made
+  /// with 0, has as short ones as the shape.
+  double min_size = 0.0;
+
   /// Frozen vertices are not given up either, to make room for new ones.
   bool keeps_frozen = false;
 
@@ -123,10 +127,16 @@ class MeshState {
   /// its caches. All numbers change.
   void sort_by_place();
 
+  /// Whether an edge of this length, squared, may come in place of what there is of the tetrahedra.
+  bool may_be_made(double squared_length, const std::vector<int>& in_place_of) const;
+  /// The same of all edges of new tetrahedra.
+  bool may_be_made(const std::vector<NewTet>& made, const std::vector<int>& in_place_of) const;
+
   /// The finished arrays; vertices in the order of their slots, unused ones left out.
   TetMesh to_tet_mesh(std::vector<int>* vertex_order = nullptr) const;
 
  private:
+  double shortest_edge_squared(const std::array<int, 4>& v) const;
   /// SolidN around the inner mesh edge (a, b).
   int solid_around(int a, int b) const;
 
@@ -164,10 +174,10 @@ bool stays_positive(const MeshState& state, int v, const Vec3& place, const std:
 /// true surface at those vertices that know its normal; where none does, at its centre.
 bool faces_outward(const MeshState& state, const Vertex& a, const Vertex& b, const Vertex& c, int label);
 
-/// True where a boundary vertex may go to `moved` without taking an edge of the boundary beyond
-/// allowed_chord_error(), or farther than it is, and without folding a facet over. `star` holds the
-/// tetrahedra at v.
-bool keeps_surface(const MeshState& state, int v, const Vertex& moved, const std::vector<int>& star);
+/// True where a vertex may go to `moved` without making an edge too short, taking an edge of the boundary
+/// beyond allowed_chord_error(), or farther than it is, or folding a facet over. `star` holds the tetrahedra
+/// at v.
+bool may_move(const MeshState& state, int v, const Vertex& moved, const std::vector<int>& star);
 
 /// True where the tetrahedron is positively oriented with some margin above rounding.
 inline bool is_positive(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, double margin = 1e-6) {

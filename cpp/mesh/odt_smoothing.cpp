@@ -133,7 +133,7 @@ void odt_sweep(MeshState& state, double damping, RunControl& control) {
     const double least = std::min(kFlat, flatness(state, v, vertex, star));
     for (double part = 1.0; part > 0.2; part *= 0.5) {
       const std::optional<Vertex> moved = state.moved(vertex, vertex.position + part * way);
-      if (!moved || !keeps_surface(state, v, *moved, star)) continue;
+      if (!moved || !may_move(state, v, *moved, star)) continue;
       if (!(flatness(state, v, *moved, star) > std::max(1e-6, least))) continue;
       const double size = vertex.size;
       state.vertices[v] = *moved;

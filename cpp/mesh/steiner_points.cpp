@@ -7,8 +7,8 @@ namespace fgmesh {
 namespace {
 
 /// The edge of tetrahedron t along which the composition varies most and can be split: not across a jump, not
-/// below min_size. Its two vertices, or {-1, -1}.
-std::array<int, 2> steepest_edge(const MeshState& state, int t, double min_size) {
+/// below MeshState::min_size. Its two vertices, or {-1, -1}.
+std::array<int, 2> steepest_edge(const MeshState& state, int t) {
   const std::array<int, 4>& v = state.complex.tet(t).vertex;
   const int material = state.material(t);
   std::array<int, 2> best = {-1, -1};
@@ -21,7 +21,7 @@ std::array<int, 2> steepest_edge(const MeshState& state, int t, double min_size)
     const double change = difference(at_a.composition, at_b.composition);
     if (change <= largest) continue;
     const bool is_above = change > state.threshold();
-    if (way.norm() < 2.0 * min_size ||
+    if (way.norm() < 2.0 * state.min_size ||
         (is_above && is_sudden(at_a, at_b, way, state.threshold()) &&
          jumps_between(state.materials().field(material), a.position, b.position, state.threshold()))) {
       is_barred |= is_above;
@@ -66,8 +66,7 @@ void yield_to_boundary(const MeshState& state, int& a, int& b, int& t) {
 
 }  // namespace
 
-int insert_steiner_points(MeshState& state, double limit, double min_size, std::size_t most,
-                          RunControl& control) {
+int insert_steiner_points(MeshState& state, double limit, std::size_t most, RunControl& control) {
   std::vector<std::pair<double, int>> bad;
   for (int t = 0; t < state.complex.slots(); ++t) {
     if (!state.complex.tet(t).alive()) continue;
@@ -83,7 +82,7 @@ int insert_steiner_points(MeshState& state, double limit, double min_size, std::
     const Tet& tet = state.complex.tet(t);
     if (!tet.alive() || !(state.variation(t) > limit)) continue;
     if (*std::max_element(tet.vertex.begin(), tet.vertex.end()) >= old_vertices) continue;
-    auto [a, b] = steepest_edge(state, t, min_size);
+    auto [a, b] = steepest_edge(state, t);
     if (a < 0) continue;
     int at = t;
     yield_to_boundary(state, a, b, at);
@@ -100,11 +99,10 @@ int count_above(const MeshState& state, double limit) {
   return count;
 }
 
-int count_divisible(const MeshState& state, double limit, double min_size) {
+int count_divisible(const MeshState& state, double limit) {
   int count = 0;
   for (int t = 0; t < state.complex.slots(); ++t)
-    count += state.complex.tet(t).alive() && state.variation(t) > limit &&
-             steepest_edge(state, t, min_size)[0] >= 0;
+    count += state.complex.tet(t).alive() && state.variation(t) > limit && steepest_edge(state, t)[0] >= 0;
   return count;
 }
 

@@ -12,9 +12,8 @@ namespace fgmesh {
 /// worst first, half-way along the edge on which f varies most; none into a tetrahedron that another point of
 /// this call has touched, at most `most`. Where a coarse boundary facet is near, its longest edge is split
 /// instead. Left out are tetrahedra whose variation is a jump of f, or is on edges that would become shorter
-/// than `min_size`. Returns how many points were inserted.
-int insert_steiner_points(MeshState& state, double limit, double min_size, std::size_t most,
-                          RunControl& control);
+/// than MeshState::min_size. Returns how many points were inserted.
+int insert_steiner_points(MeshState& state, double limit, std::size_t most, RunControl& control);
 
 /// True where the composition changes on the way from a to b by far more than its gradients there foretell: a
 /// jump, or a steep layer, is between the two.
@@ -28,6 +27,6 @@ bool jumps_between(const CompositionField& field, Vec3 p, Vec3 q, double thresho
 int count_above(const MeshState& state, double limit);
 
 /// The same without those that no point may be put into: a jump, or min_size, is in the way.
-int count_divisible(const MeshState& state, double limit, double min_size);
+int count_divisible(const MeshState& state, double limit);
 
 }  // namespace fgmesh

@@ -31,6 +31,7 @@ double Swapper::cost_of(int t) {
 }
 
 bool Swapper::replace(const std::vector<int>& cavity, const std::vector<LabelledFacet>& facets) {
+  if (!state_.may_be_made(filling_, cavity)) return false;
   if (!state_.complex.replace(cavity, filling_, facets, site_)) return false;
   if (!costs_) return true;
   for (int t : site_.created())

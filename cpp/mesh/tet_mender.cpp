@@ -98,7 +98,7 @@ bool TetMender::improve_vertex(int v) {
       if (!moved) continue;
       // The true surface is slow to ask.
       const double score = star_score(v, *moved, best);
-      if (score <= best + 1e-6 * std::abs(best) || !keeps_surface(state_, v, *moved, star_)) continue;
+      if (score <= best + 1e-6 * std::abs(best) || !may_move(state_, v, *moved, star_)) continue;
       const double size = state_.vertices[v].size;
       state_.vertices[v] = *moved;
       state_.vertices[v].size = size;

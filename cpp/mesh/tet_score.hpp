@@ -18,6 +18,9 @@ struct QualityGoal {
   bool between = false;          ///< and that between the corners, as far as foretold_variation() sees it
 };
 
+/// Thresholds: a tetrahedron that varies by more is not brought below by moves and swaps.
+inline constexpr double kBeyondMoves = 2.0;
+
 /// What can be asked for of elements that may be `anisotropy` times longer across the gradient than along it.
 QualityGoal quality_goal(double anisotropy);
 

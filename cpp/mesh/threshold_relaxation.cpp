@@ -4,6 +4,7 @@
 #include "mesh/blocks.hpp"
 #include "mesh/steiner_points.hpp"
 #include "mesh/stretch.hpp"
+#include "mesh/tet_score.hpp"
 
 namespace fgmesh {
 namespace {
@@ -36,7 +37,7 @@ std::array<int, 2> farthest_apart(const MeshState& state, const Tet& tet, int ma
   return result;
 }
 
-Pull pull_of(const MeshState& state, int t, double aim, double min_size) {
+Pull pull_of(const MeshState& state, int t, double aim) {
   Pull pull;
   const Tet& tet = state.complex.tet(t);
   if (!tet.alive()) return pull;
@@ -50,9 +51,8 @@ Pull pull_of(const MeshState& state, int t, double aim, double min_size) {
   const Vec3 apart = state.position(b) - state.position(a);
   // No move mends these; they would only draw ever more vertices into a jump, or a layer steeper than MinSize
   // lets be followed.
-  constexpr double kFarAbove = 2.0;
   if (is_sudden(state.vertices[a].in(material), state.vertices[b].in(material), apart, state.threshold()) ||
-      (variation > kFarAbove * state.threshold() && apart.norm() < 2.0 * min_size))
+      (variation > kBeyondMoves * state.threshold() && apart.norm() < 2.0 * state.min_size))
     return pull;
   const double longest = 0.2 * apart.norm();
   for (int i = 0; i < 2; ++i) {
@@ -67,10 +67,10 @@ Pull pull_of(const MeshState& state, int t, double aim, double min_size) {
   return pull;
 }
 
-std::vector<Request> gather(const MeshState& state, double aim, double min_size, int& above) {
+std::vector<Request> gather(const MeshState& state, double aim, int& above) {
   std::vector<Pull> pulls(state.complex.slots());
   for_ranges_at_once(pulls.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t t = begin; t < end; ++t) pulls[t] = pull_of(state, static_cast<int>(t), aim, min_size);
+    for (std::size_t t = begin; t < end; ++t) pulls[t] = pull_of(state, static_cast<int>(t), aim);
   });
   std::vector<Request> requests(state.vertices.size());
   above = 0;
@@ -104,10 +104,10 @@ StarState star_state(const MeshState& state, int v, const Vertex& moved, const s
 
 }  // namespace
 
-int relax_threshold(MeshState& state, double aim, double min_size, RunControl& control) {
+int relax_threshold(MeshState& state, double aim, RunControl& control) {
   constexpr double kFlat = 4e-3;  // a regular tetrahedron has 0.048
   int above = 0;
-  const std::vector<Request> requests = gather(state, aim, min_size, above);
+  const std::vector<Request> requests = gather(state, aim, above);
   sweep_vertices(state, control, [&](int v, std::vector<int>& star) {
     const Vertex& vertex = state.vertices[v];
     if (requests[v].count == 0 || vertex.is_fixed()) return;
@@ -116,7 +116,7 @@ int relax_threshold(MeshState& state, double aim, double min_size, RunControl& c
     const Vec3 way = requests[v].way / requests[v].count;
     for (double part = 1.0; part > 0.2; part *= 0.5) {
       const std::optional<Vertex> moved = state.moved(vertex, vertex.position + part * way);
-      if (!moved || !keeps_surface(state, v, *moved, star)) continue;
+      if (!moved || !may_move(state, v, *moved, star)) continue;
       const StarState after = star_state(state, v, *moved, star);
       if (after.flatness <= std::min(kFlat, before.flatness)) continue;
       if (after.variation > std::max(before.variation, state.threshold())) continue;

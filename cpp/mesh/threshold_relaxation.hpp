@@ -10,6 +10,6 @@ namespace fgmesh {
 /// the highest and the lowest f go towards each other along the gradient, each by half the excess over |grad
 /// f|; a vertex of several such tetrahedra goes the mean way. No tetrahedron is turned over or flattened, and
 /// none becomes the worst of its star. Returns how many tetrahedra were above the threshold before.
-int relax_threshold(MeshState& state, double aim, double min_size, RunControl& control);
+int relax_threshold(MeshState& state, double aim, RunControl& control);
 
 }  // namespace fgmesh

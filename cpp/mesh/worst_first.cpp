@@ -14,11 +14,18 @@ constexpr double kHopeless = 0.95;
 
 }  // namespace
 
+/// Whether more is wrong with a tetrahedron that scores low than a variation that only points could lower.
+bool WorstFirst::may_be_mended(int t) const {
+  return !score_.goal().material || state_.variation(t) <= kBeyondMoves * state_.threshold() ||
+         shape_(t) < 1.0;
+}
+
 std::vector<int> WorstFirst::bad_tets(double least) const {
   std::vector<double> scores(state_.complex.slots(), 1.0);
   for_ranges_at_once(scores.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t)
-      if (state_.complex.tet(t).alive()) scores[t] = score_(static_cast<int>(t));
+      if (const int tet = static_cast<int>(t); state_.complex.tet(tet).alive())
+        if (const double score = score_(tet); score < least && may_be_mended(tet)) scores[t] = score;
   });
   std::vector<int> tets;
   for (int t = 0; t < state_.complex.slots(); ++t)

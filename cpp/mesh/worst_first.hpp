@@ -14,7 +14,10 @@ namespace fgmesh {
 class WorstFirst {
  public:
   WorstFirst(MeshState& state, const TetScore& score)
-      : state_(state), score_(score), alone_(state, score, state.complex.own_site(), seeds_++) {}
+      : state_(state),
+        score_(score),
+        shape_(state, {score.goal().smallest_angle, score.goal().largest_angle, false}),
+        alone_(state, score, state.complex.own_site(), seeds_++) {}
 
   /// Goes over all tetrahedra that score below 1, at most `rounds` times. Returns how many are left.
   int run(int rounds, RunControl& control);
@@ -26,7 +29,7 @@ class WorstFirst {
     hopeless_.clear();
   }
 
-  /// The tetrahedra that score below `least`, worst first.
+  /// The tetrahedra that score below `least`, worst first; but for those that no move mends.
   std::vector<int> bad_tets(double least = 1.0) const;
 
  private:
@@ -39,11 +42,13 @@ class WorstFirst {
   Outcome mend(const std::vector<int>& tets, TetMender& mender, bool all_hope, const IsDue& is_due,
                RunControl& control) const;
   std::vector<int> mend_at_once(const std::vector<int>& bad, bool& any, RunControl& control);
+  bool may_be_mended(int t) const;
   bool note(const Outcome& outcome);
   std::size_t surroundings(int t) const;
 
   MeshState& state_;
   const TetScore& score_;
+  const TetScore shape_;  // the angles alone
   std::uint32_t seeds_ = 12345;
   TetMender alone_;
   bool may_insert_ = false;

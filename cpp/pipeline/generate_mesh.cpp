@@ -61,7 +61,7 @@ void certify(MeshState& state, const QualityGoal& goal, const MeshingOptions& op
   if (!options.certify) return;
   control.begin_stage("certificate");
   const auto start = std::chrono::steady_clock::now();
-  const std::vector<TetCertificate> certificates = certify_mesh(state, {options.min_size, goal}, control);
+  const std::vector<TetCertificate> certificates = certify_mesh(state, goal, control);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   result.certificate = {};
   result.certificate.made = true;
@@ -228,7 +228,6 @@ MeshingResult run(const std::string& shape, const std::vector<const CompositionF
     fractions = run_stage("geometry", state, result, control, [&] {
       GeometryRefinementOptions refinement;
       refinement.deviation = options.surface_deviation;
-      refinement.min_size = options.min_size;
       refinement.goal = goal;
       refine_geometry(state, refinement, control);
       if (asked.surface_deviation == 0.0)

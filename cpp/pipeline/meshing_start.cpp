@@ -74,8 +74,10 @@ std::vector<Carrier> make_initial_mesh(MeshingStart& start, double size, RunCont
   start.state.chord_limit = initial_deviation(size);
   const MeshingOptions& options = start.options;
   const double narrowest = 0.9 * std::min(options.min_size, options.surface_deviation);
-  return make_initial_mesh(start.state, start.samples,
-                           {size, start.state.chord_limit, options.min_size, narrowest}, control);
+  std::vector<Carrier> bridged = make_initial_mesh(
+      start.state, start.samples, {size, start.state.chord_limit, options.min_size, narrowest}, control);
+  start.state.min_size = options.min_size;
+  return bridged;
 }
 
 }  // namespace fgmesh

@@ -16,6 +16,7 @@ struct RefinedPart {
         state(part, material, threshold, diagonal) {
     state.chord_limit = max_size() / 20.0;
     make_initial_mesh(state, samples, {max_size(), state.chord_limit}, control);
+    state.min_size = min_size();
   }
   RefinedPart(const RefinedPart&) = delete;
 

@@ -74,7 +74,7 @@ TetMesh changed(int threads, std::vector<int>& counts) {
     EXPECT_EQ(test::find_fault(mesh.state, mesh.solid), "");
     update_sizes(mesh.state, {0.1, 0.01, 0.4, 0.5});
     odt_sweep(mesh.state, 1.0, control);
-    counts.push_back(relax_threshold(mesh.state, 0.055, 0.0, control));
+    counts.push_back(relax_threshold(mesh.state, 0.055, control));
     const TetScore score(mesh.state, {});
     counts.push_back(WorstFirst(mesh.state, score).run(2, control));
   });

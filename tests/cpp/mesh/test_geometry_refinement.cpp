@@ -22,7 +22,6 @@ constexpr double kThreshold = 0.1;
 void refine(test::RefinedPart& part, double deviation) {
   GeometryRefinementOptions options;
   options.deviation = deviation;
-  options.min_size = part.min_size();
   refine_geometry(part.state, options, part.control);
 }
 
@@ -92,7 +91,6 @@ TEST(GeometryRefinementOfStretchedElements, NeedsNoMoreThanThatOfIsotropicOnes) 
     part.refine(anisotropy);
     GeometryRefinementOptions options;
     options.deviation = 0.03;
-    options.min_size = part.min_size();
     options.goal = quality_goal(anisotropy);
     refine_geometry(part.state, options, part.control);
     EXPECT_EQ(test::find_fault(part.state, cylinder, 0.026), "");

@@ -302,7 +302,7 @@ TEST(ResolveBoundary, SplitsEdgesThatAreFarFromTheTrueFace) {
   const std::size_t far_before = far_edges().size();
   ASSERT_GT(far_before, 50u);
   state.chord_limit = kAllowed;
-  EXPECT_GT(resolve_boundary(state, 1e-3, control), 0);
+  EXPECT_GT(resolve_boundary(state, control), 0);
   EXPECT_EQ(test::find_fault(state, ball), "");
   EXPECT_GT(test::volume_of(state), before);
   EXPECT_LT(test::volume_of(state), ball.volume());

@@ -56,7 +56,7 @@ TEST(SteinerPoints, BringTheVariationDown) {
   int rounds = 0;
   while (count_above(mesh.state, 0.1) > 0 && ++rounds < 30) {
     const int before = test::vertex_count(mesh.state);
-    const int inserted = insert_steiner_points(mesh.state, 0.1, 1e-4, 1000000, control);
+    const int inserted = insert_steiner_points(mesh.state, 0.1, 1000000, control);
     ASSERT_GT(inserted, 0);
     EXPECT_EQ(test::vertex_count(mesh.state), before + inserted);
     ASSERT_EQ(test::find_fault(mesh.state, mesh.solid), "");
@@ -70,7 +70,7 @@ TEST(SteinerPoints, BringTheVariationDown) {
 TEST(SteinerPoints, AreNoMoreThanAsked) {
   test::GridMesh mesh(1.0, 3, test::linear(Vec3(1, 0, 0)));
   RunControl control;
-  EXPECT_LE(insert_steiner_points(mesh.state, 0.1, 1e-4, 5, control), 5);
+  EXPECT_LE(insert_steiner_points(mesh.state, 0.1, 5, control), 5);
   EXPECT_LE(test::vertex_count(mesh.state), 64 + 5);
 }
 
@@ -79,8 +79,10 @@ TEST(SteinerPoints, HalveNoEdgeBelowTheSmallestSize) {
   const test::FunctionField field = test::linear(Vec3(1, 0, 0));
   RunControl control;
   test::GridMesh none(1.0, 2, field), diagonals(1.0, 2, field);
-  EXPECT_EQ(insert_steiner_points(none.state, 0.1, 0.45, 1000000, control), 0);
-  EXPECT_GT(insert_steiner_points(diagonals.state, 0.1, 0.3, 1000000, control), 0);
+  none.state.min_size = 0.45;
+  diagonals.state.min_size = 0.3;
+  EXPECT_EQ(insert_steiner_points(none.state, 0.1, 1000000, control), 0);
+  EXPECT_GT(insert_steiner_points(diagonals.state, 0.1, 1000000, control), 0);
   for (const Vec3& p : diagonals.state.to_tet_mesh().points) {
     int off_grid = 0;
     for (int axis = 0; axis < 3; ++axis) off_grid += 2.0 * p[axis] != std::round(2.0 * p[axis]);
@@ -92,7 +94,7 @@ TEST(SteinerPoints, DoNotChaseAJump) {
   test::GridMesh mesh(1.0, 4, test::jump(0.4));
   RunControl control;
   EXPECT_GT(count_above(mesh.state, 0.1), 0);
-  EXPECT_EQ(insert_steiner_points(mesh.state, 0.1, 1e-6, 1000000, control), 0);
+  EXPECT_EQ(insert_steiner_points(mesh.state, 0.1, 1000000, control), 0);
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ TEST_P(ThresholdRelaxation, TurnsNoTetrahedronOverAndMakesNoneTheWorst) {
   ASSERT_GT(largest, 0.1);
   for (int sweep = 0; sweep < 25; ++sweep) {
     const int above = count_above(mesh.state, 0.1);
-    EXPECT_EQ(relax_threshold(mesh.state, 0.093, 0.0, control), above);
+    EXPECT_EQ(relax_threshold(mesh.state, 0.093, control), above);
     ASSERT_EQ(test::find_fault(mesh.state, mesh.solid), "") << "sweep " << sweep;
     EXPECT_LE(test::largest_variation(mesh.state), std::max(largest, 0.1) * (1.0 + 1e-12));
     largest = test::largest_variation(mesh.state);
@@ -41,7 +41,7 @@ TEST(ThresholdRelaxationAlone, MendsWhatIsALittleAbove) {
   RunControl control;
   const int before = count_above(mesh.state, 0.1);
   ASSERT_GT(before, 50);
-  for (int sweep = 0; sweep < 40; ++sweep) relax_threshold(mesh.state, 0.093, 0.0, control);
+  for (int sweep = 0; sweep < 40; ++sweep) relax_threshold(mesh.state, 0.093, control);
   EXPECT_LT(count_above(mesh.state, 0.1), before / 10);
 }
 
@@ -49,7 +49,7 @@ TEST(ThresholdRelaxationAlone, LeavesAMeshAloneThatKeepsTheThreshold) {
   test::GridMesh mesh(2.0, 4, test::linear(Vec3(0.1, 0, 0)), 0.1);
   const std::vector<Vertex> before = mesh.state.vertices;
   RunControl control;
-  EXPECT_EQ(relax_threshold(mesh.state, 0.093, 0.0, control), 0);
+  EXPECT_EQ(relax_threshold(mesh.state, 0.093, control), 0);
   for (std::size_t v = 0; v < before.size(); ++v)
     EXPECT_EQ(mesh.state.vertices[v].position, before[v].position);
 }
@@ -59,7 +59,7 @@ TEST(ThresholdRelaxationAlone, IsCalmWhereTheGradientVanishesAcrossAJump) {
   RunControl control;
   const int above = count_above(mesh.state, 0.1);
   EXPECT_GT(above, 0);
-  EXPECT_EQ(relax_threshold(mesh.state, 0.093, 0.0, control), above);
+  EXPECT_EQ(relax_threshold(mesh.state, 0.093, control), above);
   EXPECT_EQ(test::find_fault(mesh.state, mesh.solid), "");
 }
 
