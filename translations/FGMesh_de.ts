@@ -152,10 +152,6 @@
       <translation>In der Ansicht ziehen</translation>
     </message>
     <message>
-      <source>Edges much longer than this are split; 0: the part's diagonal / 8</source>
-      <translation>Kanten, die viel länger sind, werden geteilt; 0: Diagonale des Teils / 8</translation>
-    </message>
-    <message>
       <source>Examples</source>
       <translation>Beispiele</translation>
     </message>
@@ -314,6 +310,10 @@
     <message>
       <source>New analysis</source>
       <translation>Neue Analyse</translation>
+    </message>
+    <message>
+      <source>No edge is longer than this; 0: about the part's diagonal / 8</source>
+      <translation>Keine Kante ist länger; 0: etwa Diagonale des Teils / 8</translation>
     </message>
     <message>
       <source>No refinement makes edges shorter than this; 0: the part's diagonal / 2000</source>

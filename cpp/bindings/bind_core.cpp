@@ -85,6 +85,8 @@ void bind_core(py::module_& module) {
       .def_readonly("stage", &RunControl::Progress::stage, "Name of the stage; empty before the start.")
       .def_readonly("fraction", &RunControl::Progress::fraction, "Of this stage, in [0, 1].")
       .def_readonly("tets", &RunControl::Progress::tets, "Tetrahedra in the mesh at this moment.")
+      .def_readonly("expected_tets", &RunControl::Progress::expected_tets,
+                    "About as many tetrahedra are expected of the finished mesh; 0: not known (yet).")
       .def("__repr__", [](const RunControl::Progress& progress) {
         return py::str("Progress(stage={!r}, fraction={:.3f}, tets={})")
             .format(progress.stage, progress.fraction, progress.tets);
@@ -105,7 +107,9 @@ void bind_core(py::module_& module) {
       .def("begin_stage", &RunControl::begin_stage, py::arg("name"),
            "Tell of a new stage; for those who pass on the progress of a run in another process.")
       .def("report", &RunControl::report, py::arg("fraction"), py::arg("tets"),
-           "Tell how far the stage is; as begin_stage.");
+           "Tell how far the stage is; as begin_stage.")
+      .def("expect", &RunControl::expect, py::arg("tets"),
+           "Tell how many tetrahedra are expected; as begin_stage.");
 
   module.def("peak_memory_mb", &peak_memory_mb, "Largest resident memory of this process so far, MB.");
 }

@@ -53,6 +53,7 @@ RunControl::Progress RunControl::progress() const {
   }
   progress.fraction = fraction_.load(std::memory_order_relaxed);
   progress.tets = tets_.load(std::memory_order_relaxed);
+  progress.expected_tets = expected_tets_.load(std::memory_order_relaxed);
   return progress;
 }
 

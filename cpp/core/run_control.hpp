@@ -18,6 +18,8 @@ class RunControl {
     std::string stage;
     double fraction = 0.0;  ///< of this stage, in [0, 1]
     std::size_t tets = 0;   ///< tetrahedra in the mesh at this moment
+    /// about as many are expected of the finished mesh; 0: not known (yet)
+    std::size_t expected_tets = 0;
   };
 
   /// Limits of 0 mean none. Seconds count from the construction of this object, or from the last
@@ -37,6 +39,7 @@ class RunControl {
 
   void begin_stage(const std::string& name);
   void report(double fraction, std::size_t tets);
+  void expect(std::size_t tets) { expected_tets_.store(tets, std::memory_order_relaxed); }
 
   /// Throws Cancelled where the run is to stop. Cheap enough for every few hundred tetrahedra.
   void check();
@@ -52,7 +55,7 @@ class RunControl {
 
   std::atomic<bool> cancelled_{false};
   std::atomic<double> fraction_{0.0};
-  std::atomic<std::size_t> tets_{0};
+  std::atomic<std::size_t> tets_{0}, expected_tets_{0};
   mutable std::mutex stage_mutex_;
   std::string stage_;
   Clock::time_point start_ = Clock::now();

@@ -99,6 +99,29 @@ int split_boundary_edge(MeshState& state, int a, int b, int t) {
   }
 }
 
+int split_long_edges(MeshState& state, double longest, RunControl& control) {
+  TetComplex& complex = state.complex;
+  const int old_vertices = complex.vertex_slots();
+  const double least = std::max(longest, 2.0 * state.min_size);
+  int count = 0;
+  for (int t = 0, slots = complex.slots(); t < slots; ++t) {
+    if (t % 1024 == 0) control.check();
+    if (!complex.tet(t).alive()) continue;
+    const std::array<int, 4> v = complex.tet(t).vertex;
+    if (*std::max_element(v.begin(), v.end()) >= old_vertices) continue;
+    double largest = least * least;
+    std::array<int, 2> edge = {-1, -1};
+    for (const auto& [i, j] : kEdgeVertices) {
+      const double squared = (state.position(v[i]) - state.position(v[j])).squaredNorm();
+      if (squared <= largest) continue;
+      largest = squared;
+      edge = {v[i], v[j]};
+    }
+    if (edge[0] >= 0 && split_edge(state, edge[0], edge[1], t) >= 0) ++count;
+  }
+  return count;
+}
+
 int resolve_boundary(MeshState& state, RunControl& control) {
   TetComplex& complex = state.complex;
   int count = 0;

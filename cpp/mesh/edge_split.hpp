@@ -23,6 +23,11 @@ bool insert_beside_edge(MeshState& state, int a, int b, const Vec3& place, const
 /// longest edge keeps facets from degenerating (Rivara 1984). Returns as split_edge().
 int split_boundary_edge(MeshState& state, int a, int b, int t);
 
+/// Splits the longest edge of each tetrahedron that has one longer than `longest`, none that would become
+/// shorter than MeshState::min_size, and none of a tetrahedron that another split of this call has touched.
+/// Returns how many.
+int split_long_edges(MeshState& state, double longest, RunControl& control);
+
 /// Splits boundary edges that are farther from the true boundary than allowed_chord_error(), until they are
 /// not, would become shorter than MeshState::min_size, or cannot be split. Returns how many were.
 int resolve_boundary(MeshState& state, RunControl& control);

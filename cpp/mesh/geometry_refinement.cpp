@@ -85,7 +85,7 @@ void grade_sizes(MeshState& state, const GeometryRefinementOptions& options) {
 }
 
 /// Splits edges that are much longer than the graded size wants. Returns how many.
-int split_long_edges(MeshState& state, RunControl& control) {
+int split_to_size(MeshState& state, RunControl& control) {
   constexpr double kTooLong = 1.7;
   TetComplex& complex = state.complex;
   const int old_vertices = complex.vertex_slots();
@@ -120,7 +120,7 @@ void approach_boundary(MeshState& state, const GeometryRefinementOptions& option
     control.report(0.7 * round / (round + 4.0), state.complex.tet_count());
     const int on_boundary = split_boundary(state, options, control);
     grade_sizes(state, options);
-    const int inside = split_long_edges(state, control);
+    const int inside = split_to_size(state, control);
     if (on_boundary + inside == 0) return;
     quiet = on_boundary > 0 ? 0 : quiet + 1;
     swap_pass(state, energy, control);
@@ -181,6 +181,7 @@ void refine_geometry(MeshState& state, const GeometryRefinementOptions& options,
     int changed = split_boundary(state, options, control);
     if (above > 0)
       changed += insert_steiner_points(state, state.threshold(), std::max(8, above / 4), control);
+    changed += split_long_edges(state, options.goal.longest_edge, control);
     if (changed == 0 && (left == 0 || repair > 3)) return;
   }
   mender.run(10, control);

@@ -26,6 +26,7 @@ void grow(MeshState& state, const MaterialRefinementOptions& options, double lim
   // Memory is in order as long as the mesh has not grown by this factor.
   constexpr double kGrown = 1.5;
   constexpr std::size_t kMany = 16384;  // vertices; fewer fit into caches
+  constexpr double kLong = 1.1;        // what is a little longer than MaxSize may still be mended
   std::size_t sorted = kMany;
   for (int round = 0; round < kMostRounds; ++round) {
     if (state.vertices.size() > kGrown * sorted) {
@@ -35,7 +36,8 @@ void grow(MeshState& state, const MaterialRefinementOptions& options, double lim
     control.report(0.6 * round / (round + 8.0), state.complex.tet_count());
     resolve_boundary(state, control);
     const int room = std::max(0, options.most_tets - state.complex.tet_count());
-    const int inserted = insert_steiner_points(state, limit, room, control);
+    int inserted = insert_steiner_points(state, limit, room, control);
+    if (room > 0) inserted += split_long_edges(state, kLong * options.goal.longest_edge, control);
     if (inserted <= done * state.complex.tet_count()) break;
     smooth(state, options, options.growth_sweeps, 1.0, control);
   }
@@ -72,6 +74,8 @@ void refine_material(MeshState& state, const MaterialRefinementOptions& options,
   smooth(state, options, options.growth_sweeps, 1.0, control);
   if (options.points_only) {
     grow(state, options, state.threshold(), 0.0, control);
+    while (split_long_edges(state, options.goal.longest_edge, control) > 0) {
+    }
     return;
   }
   grow(state, options, options.growth_limit * state.threshold(), options.growth_done, control);
@@ -101,7 +105,9 @@ void refine_material(MeshState& state, const MaterialRefinementOptions& options,
       points = std::max(8, count() / 4);
     }
     control.report(0.6 + 0.4 * (round + 1) / kMostRounds, state.complex.tet_count());
-    if (insert_steiner_points(state, state.threshold(), points, control) == 0) break;
+    int added = insert_steiner_points(state, state.threshold(), points, control);
+    if (!are_too_many) added += split_long_edges(state, options.goal.longest_edge, control);
+    if (added == 0) break;
     if (are_too_many) smooth(state, options, options.growth_sweeps, 1.0, control);
   }
   mender.run(10, control);

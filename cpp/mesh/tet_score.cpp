@@ -43,6 +43,11 @@ double TetScore::of(const Vertex& a, const Vertex& b, const Vertex& c, const Ver
   constexpr double kMaterialFloor = 0.7;
   if (goal_.material && variation > state_.threshold())
     score = std::max(kMaterialFloor, state_.threshold() / variation);
+  if (goal_.longest_edge < std::numeric_limits<double>::infinity()) {
+    const double squared = longest_edge_squared(a.position, b.position, c.position, d.position);
+    if (squared > goal_.longest_edge * goal_.longest_edge)
+      score = std::min(score, goal_.longest_edge / std::sqrt(squared));
+  }
   const std::array<double, 6> cosines = dihedral_cosines(a.position, b.position, c.position, d.position);
   const auto [low, high] = std::minmax_element(cosines.begin(), cosines.end());
   // Most meet both goals, which the cosines tell without their angles.

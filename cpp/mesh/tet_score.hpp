@@ -16,6 +16,7 @@ struct QualityGoal {
   double largest_angle = 157.0;  ///< degrees
   bool material = true;          ///< the material threshold counts too,
   bool between = false;          ///< and that between the corners, as far as foretold_variation() sees it
+  double longest_edge = std::numeric_limits<double>::infinity();  ///< mm
 };
 
 /// Thresholds: a tetrahedron that varies by more is not brought below by moves and swaps.

@@ -33,15 +33,9 @@ double memory_mb(const std::string& shape, const SampledBoundary& samples, doubl
 
 }  // namespace
 
-MeshEstimate estimate_mesh(const std::string& shape, const std::vector<const CompositionField*>& materials,
-                           const MeshingOptions& asked, RunControl& control) {
-  MeshingStart start(shape, materials, asked, control);
+double expected_tets(const MeshingStart& start, const MeshingOptions& asked, double size,
+                     RunControl& control) {
   const MeshingOptions& options = start.options;
-  control.begin_stage("initial");
-  const double size = size_to_make(start);
-  make_initial_mesh(start, size, control);
-
-  control.begin_stage("estimate");
   const BentBoundary boundary(start.state, start.model, control);
   WantedMesh wanted;
   wanted.material = options.stop_after != "initial";
@@ -56,9 +50,20 @@ MeshEstimate estimate_mesh(const std::string& shape, const std::vector<const Com
     wanted.deviation = boundary.deviation_sizes(
         asked.surface_deviation == 0.0 ? boundary.lowered(deviation) : deviation, options.min_size);
   }
+  return expected_tets(start.state, wanted, control);
+}
+
+MeshEstimate estimate_mesh(const std::string& shape, const std::vector<const CompositionField*>& materials,
+                           const MeshingOptions& asked, RunControl& control) {
+  MeshingStart start(shape, materials, asked, control);
+  control.begin_stage("initial");
+  const double size = size_to_make(start);
+  make_initial_mesh(start, size, control);
+
+  control.begin_stage("estimate");
   MeshEstimate result;
-  result.tets = expected_tets(start.state, wanted, control);
-  result.memory_mb = memory_mb(shape, start.samples, result.tets, options.order);
+  result.tets = expected_tets(start, asked, size, control);
+  result.memory_mb = memory_mb(shape, start.samples, result.tets, start.options.order);
   return result;
 }
 

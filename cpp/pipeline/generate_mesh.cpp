@@ -12,6 +12,7 @@
 #include "mesh/geometry_refinement.hpp"
 #include "mesh/material_refinement.hpp"
 #include "mesh/second_order.hpp"
+#include "pipeline/estimate.hpp"
 #include "pipeline/given_numbers.hpp"
 #include "pipeline/meshing_start.hpp"
 #include "pipeline/node_fractions.hpp"
@@ -198,6 +199,13 @@ double refine_to_volume(MeshState& state, GeometryRefinementOptions refinement, 
   return refinement.deviation;
 }
 
+/// Tells beforehand how large the mesh will be, unless that took long.
+void tell_expected(const MeshingStart& start, const MeshingOptions& asked, RunControl& control) {
+  constexpr int kQuick = 20000;  // tetrahedra that are quickly summed up
+  if (start.state.complex.tet_count() > kQuick) return;
+  control.expect(static_cast<std::size_t>(expected_tets(start, asked, start.options.max_size, control)));
+}
+
 MeshingResult run(const std::string& shape, const std::vector<const CompositionField*>& given,
                   const MeshingOptions& asked, RunControl& control) {
   MeshingStart start(shape, given, asked, control);
@@ -212,7 +220,9 @@ MeshingResult run(const std::string& shape, const std::vector<const CompositionF
                                       [&] { bridged = make_initial_mesh(start, options.max_size, control); });
   QualityGoal goal = quality_goal(options.anisotropy);
   goal.between = options.certify;
+  if (asked.max_size > 0.0) goal.longest_edge = asked.max_size;
   if (options.stop_after != "initial") {
+    tell_expected(start, asked, control);
     fractions = run_stage("material", state, result, control, [&] {
       MaterialRefinementOptions refinement;
       refinement.sizing = material_sizing(options);

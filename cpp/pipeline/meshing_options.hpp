@@ -17,7 +17,8 @@ struct MeshingOptions {
   double surface_deviation = 0.0;
   /// No refinement makes edges shorter than this, mm; 0: the diagonal of the part / 2000.
   double min_size = 0.0;
-  /// Edges much longer than this are split, mm; 0: the diagonal of the part / 8.
+  /// No edge is longer, mm, unless min_size is in the way; 0: elements are at most about the diagonal of the
+  /// part / 8 long, a few edges longer.
   double max_size = 0.0;
   /// How many times longer elements may be across the gradient than along it, from 1, isotropic, to 10. They
   /// are less where level sets are bent or max_size is in the way. Angles of 15 to 157 degrees, that

@@ -27,6 +27,11 @@ inline double signed_volume(const Vec3& a, const Vec3& b, const Vec3& c, const V
 /// Twice the area of a triangle times its unit normal.
 inline Vec3 area_vector(const Vec3& a, const Vec3& b, const Vec3& c) { return (b - a).cross(c - a); }
 
+inline double longest_edge_squared(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  return std::max({(b - a).squaredNorm(), (c - a).squaredNorm(), (d - a).squaredNorm(), (c - b).squaredNorm(),
+                   (d - b).squaredNorm(), (d - c).squaredNorm()});
+}
+
 /// Sum of the squared edge lengths.
 inline double squared_edges(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   return (a - b).squaredNorm() + (a - c).squaredNorm() + (a - d).squaredNorm() + (b - c).squaredNorm() +

@@ -221,7 +221,16 @@ def test_progress_of_a_new_control():
     control = _core.RunControl()
     control.set_limits(seconds=5)
     progress = control.progress()
-    assert (progress.stage, progress.fraction, progress.tets) == ("", 0.0, 0)
+    assert (progress.stage, progress.fraction, progress.tets, progress.expected_tets) == ("", 0.0, 0, 0)
+
+
+def test_progress_tells_how_many_tetrahedra_are_expected(shapes):
+    shape, material = (shapes / "ball.brep").read_bytes(), _core.Material(["exp(-0.1*d)"])
+    control = _core.RunControl()
+    result = _core.generate_mesh(shape, [material], control=control)
+    expected = control.progress().expected_tets
+    assert expected == int(_core.estimate(shape, [material]).tets)
+    assert 0.7 * len(result.tets) < expected < 1.3 * len(result.tets)
 
 
 def test_versions():

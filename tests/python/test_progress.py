@@ -14,8 +14,8 @@ class Terminal(io.StringIO):
         return True
 
 
-def state(stage, fraction=0.0, tets=0):
-    return SimpleNamespace(stage=stage, fraction=fraction, tets=tets)
+def state(stage, fraction=0.0, tets=0, expected_tets=0):
+    return SimpleNamespace(stage=stage, fraction=fraction, tets=tets, expected_tets=expected_tets)
 
 
 @pytest.mark.parametrize("fraction", [-0.5, 0.0, 0.5, 1.0, 7.0])
@@ -29,6 +29,13 @@ def test_bar_grows():
     filled = [progress.bar_line(state("material", f / 10), 0, 79).count("#") for f in range(11)]
     assert filled[0] == 0 and filled == sorted(set(filled))
     assert "." not in progress.bar_line(state("material", 1.0), 0, 79)
+
+
+def test_many_more_tetrahedra_to_come_are_told():
+    assert progress.tets_of(state("material", 0.1, 500, 12_843_210)) == "500 of about 13000000 tets"
+    assert progress.tets_of(state("material", 0.1, 500, 700)) == "500 tets"
+    assert progress.tets_of(state("initial", 0.1, 500)) == "500 tets"
+    assert progress.tets_of(state("reading")) == "0 tets"
 
 
 def test_terminal_is_left_clean():

@@ -47,6 +47,28 @@ def test_layer_steeper_than_min_size_is_followed_only_as_far_as_that(meshed):
     assert len(result.tets) < 3000 + 8.5 * layer / 0.5**3
 
 
+def edge_lengths(result):
+    edges = np.concatenate([result.tets[:, [i, j]] for i in range(4) for j in range(i)])
+    return np.linalg.norm(result.points[edges[:, 0]] - result.points[edges[:, 1]], axis=1)
+
+
+@pytest.mark.parametrize("anisotropy", [1, 3])
+@pytest.mark.parametrize(
+    "shape, formula, sizes",
+    [
+        ("box", "0.5 + 0.5*tanh((y-10)/0.05)", {"min_size": 0.5}),
+        ("box", "0.5 + 0.5*tanh((y-10)/0.3)", {"min_size": 0.2, "max_size": 1.5}),
+        ("ball", "exp(-0.1*d)", {"max_size": 4.0}),
+        ("cylinder", "(z/12)^2", {"min_size": 0.4, "max_size": 2.0}),
+    ],
+)
+def test_no_edge_is_shorter_or_longer_than_allowed(meshed, shape, formula, sizes, anisotropy):
+    result = meshed(shape, formula, **sizes, anisotropy=anisotropy)
+    lengths = edge_lengths(result)
+    assert lengths.min() >= sizes.get("min_size", 0)
+    assert lengths.max() <= sizes.get("max_size", np.inf)
+
+
 def test_jump_on_a_slope_costs_no_elements(meshed):
     slope = meshed("box", "y/40")
     jump = meshed("box", "y/40 + 0.5*step(10.3,y)")

@@ -8,6 +8,9 @@ import time
 LINE_SECONDS = 10.0
 """Plain lines go to log files: one at the start of each stage, then one in this time."""
 
+MANY_MORE = 1.5
+"""Expected tetrahedra are told as long as they are so many times those there are."""
+
 
 def make_progress(quiet, stream=None):
     """The display that fits `stream` (standard error)."""
@@ -19,7 +22,7 @@ def make_progress(quiet, stream=None):
 
 class NoProgress:
     def show(self, progress):
-        """Show a core progress: its stage, fraction in [0, 1] and number of tetrahedra."""
+        """Show a core progress: its stage, fraction in [0, 1], tetrahedra and how many are expected."""
 
     def close(self, progress=None):
         """Leave the stream at the start of a line; `progress` is the last state, if there is one."""
@@ -51,7 +54,7 @@ class ProgressLines(NoProgress):
         if progress.stage and (progress.stage != self._stage or elapsed >= self._next):
             self._stage, self._next = progress.stage, elapsed + LINE_SECONDS
             done = f" {100 * clamped(progress.fraction):.0f} %" if progress.fraction else ""
-            _write(self._stream, f"fgmesh: {elapsed:.1f} s, {progress.stage}{done}, {progress.tets} tets\n")
+            _write(self._stream, f"fgmesh: {elapsed:.1f} s, {progress.stage}{done}, {tets_of(progress)}\n")
 
     def close(self, progress=None):
         # A stage shorter than the polling would otherwise never be told.
@@ -70,10 +73,18 @@ def bar_line(progress, seconds, columns):
     """One line of at most `columns` characters."""
     fraction = clamped(progress.fraction)
     head = f"{progress.stage:9s}"
-    tail = f" {100 * fraction:3.0f} %  {progress.tets} tets  {seconds:.0f} s"
+    tail = f" {100 * fraction:3.0f} %  {tets_of(progress)}  {seconds:.0f} s"
     room = max(0, min(40, columns - len(head) - len(tail) - 3))
     filled = round(fraction * room)
     return f"{head} [{'#' * filled}{'.' * (room - filled)}]{tail}"[:columns]
+
+
+def tets_of(progress):
+    """How many tetrahedra there are; and how many are expected, where they are many more."""
+    if progress.expected_tets <= MANY_MORE * progress.tets:
+        return f"{progress.tets} tets"
+    expected = float(f"{progress.expected_tets:.2g}")
+    return f"{progress.tets} of about {expected:.0f} tets"
 
 
 def clamped(fraction):

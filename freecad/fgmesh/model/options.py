@@ -51,7 +51,7 @@ OPTIONS = (
         "MaxSize",
         "max_size",
         "App::PropertyLength",
-        TRANSLATE_LATER("FGMesh", "Edges much longer than this are split; 0: the part's diagonal / 8"),
+        TRANSLATE_LATER("FGMesh", "No edge is longer than this; 0: about the part's diagonal / 8"),
     ),
     Option(
         "Anisotropy",

@@ -98,7 +98,7 @@ def _tell_progress(control, send):
 
 def _progress(control):
     progress = control.progress()
-    return [progress.stage, progress.fraction, progress.tets]
+    return [progress.stage, progress.fraction, progress.tets, progress.expected_tets]
 
 
 def _limit_data(megabytes):
