@@ -21,8 +21,10 @@ DEVIATION = 1 / 500
 """Of the diagonal: the surface deviation of `geometry`, which asks for about as many elements as the material does."""
 BOTH_AT = 0.1
 """The threshold of `geometry`."""
-FINER = (0.05, 0.03, 0.02)
-"""Thresholds of `scaling`."""
+FINER = (0.05, 0.03, 0.02, 0.015)
+"""Thresholds of `scaling`: to two million tetrahedra."""
+THREADS_AT = 0.02
+"""The threshold of `threads`: a million tetrahedra, nearly."""
 
 
 def compare_ways(folder, options):
@@ -175,7 +177,7 @@ def threads(folder, options):
     for turn in range(options.repeat):
         for count, times in rounds.items():
             say(f"{case.name}: {count} of 2 threads", turn, options)
-            chosen = core.MeshingOptions(material_threshold=min(options.thresholds), threads=count)
+            chosen = core.MeshingOptions(material_threshold=THREADS_AT, threads=count)
             start = time.perf_counter()
             result = core.generate_mesh(str(shape), core.Material([case.formula]), chosen)
             times.append(
