@@ -99,27 +99,34 @@ int split_boundary_edge(MeshState& state, int a, int b, int t) {
   }
 }
 
-int split_long_edges(MeshState& state, double longest, RunControl& control) {
+int split_long_edges(MeshState& state, const Excess& excess, RunControl& control) {
   TetComplex& complex = state.complex;
   const int old_vertices = complex.vertex_slots();
-  const double least = std::max(longest, 2.0 * state.min_size);
   int count = 0;
-  for (int t = 0, slots = complex.slots(); t < slots; ++t) {
+  for (int t = 0; t < complex.slots(); ++t) {
     if (t % 1024 == 0) control.check();
     if (!complex.tet(t).alive()) continue;
     const std::array<int, 4> v = complex.tet(t).vertex;
     if (*std::max_element(v.begin(), v.end()) >= old_vertices) continue;
-    double largest = least * least;
+    double largest = 1.0;
     std::array<int, 2> edge = {-1, -1};
     for (const auto& [i, j] : kEdgeVertices) {
-      const double squared = (state.position(v[i]) - state.position(v[j])).squaredNorm();
-      if (squared <= largest) continue;
-      largest = squared;
+      const double length = (state.position(v[i]) - state.position(v[j])).norm();
+      if (length < 2.0 * state.min_size) continue;
+      const double found = excess(v[i], v[j], length);
+      if (found <= largest) continue;
+      largest = found;
       edge = {v[i], v[j]};
     }
     if (edge[0] >= 0 && split_edge(state, edge[0], edge[1], t) >= 0) ++count;
   }
   return count;
+}
+
+int split_long_edges(MeshState& state, double longest, RunControl& control) {
+  if (std::isinf(longest)) return 0;
+  return split_long_edges(
+      state, [=](int, int, double length) { return length / longest; }, control);
 }
 
 int resolve_boundary(MeshState& state, RunControl& control) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
+
 #include "core/run_control.hpp"
 #include "mesh/mesh_state.hpp"
 #include "mesh/tet_score.hpp"
@@ -23,9 +25,14 @@ bool insert_beside_edge(MeshState& state, int a, int b, const Vec3& place, const
 /// longest edge keeps facets from degenerating (Rivara 1984). Returns as split_edge().
 int split_boundary_edge(MeshState& state, int a, int b, int t);
 
-/// Splits the longest edge of each tetrahedron that has one longer than `longest`, none that would become
+/// How many times longer an edge (a, b) of this length, mm, is than it may be.
+using Excess = std::function<double(int a, int b, double length)>;
+
+/// Splits in each tetrahedron the edge of the largest excess, where that is above 1; none that would become
 /// shorter than MeshState::min_size, and none of a tetrahedron that another split of this call has touched.
 /// Returns how many.
+int split_long_edges(MeshState& state, const Excess& excess, RunControl& control);
+/// The same of edges longer than `longest`, mm.
 int split_long_edges(MeshState& state, double longest, RunControl& control);
 
 /// Splits boundary edges that are farther from the true boundary than allowed_chord_error(), until they are

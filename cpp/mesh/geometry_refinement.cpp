@@ -87,27 +87,10 @@ void grade_sizes(MeshState& state, const GeometryRefinementOptions& options) {
 /// Splits edges that are much longer than the graded size wants. Returns how many.
 int split_to_size(MeshState& state, RunControl& control) {
   constexpr double kTooLong = 1.7;
-  TetComplex& complex = state.complex;
-  const int old_vertices = complex.vertex_slots();
-  int count = 0;
-  for (int t = 0; t < complex.slots(); ++t) {
-    if (t % 1024 == 0) control.check();
-    if (!complex.tet(t).alive()) continue;
-    const std::array<int, 4> v = complex.tet(t).vertex;
-    if (*std::max_element(v.begin(), v.end()) >= old_vertices) continue;
-    double largest = kTooLong;
-    std::array<int, 2> edge = {-1, -1};
-    for (const auto& [i, j] : kEdgeVertices) {
-      const double size = length(state, v[i], v[j]);
-      const double ratio = 2.0 * size / (state.vertices[v[i]].size + state.vertices[v[j]].size);
-      if (ratio > largest && size > 2.0 * state.min_size) {
-        largest = ratio;
-        edge = {v[i], v[j]};
-      }
-    }
-    if (edge[0] >= 0 && split_edge(state, edge[0], edge[1], t) >= 0) ++count;
-  }
-  return count;
+  const auto excess = [&](int a, int b, double length) {
+    return 2.0 * length / (kTooLong * (state.vertices[a].size + state.vertices[b].size));
+  };
+  return split_long_edges(state, excess, control);
 }
 
 /// Delaunay refinement of what is too far from the true boundary, graded inwards, and smoothing of the new

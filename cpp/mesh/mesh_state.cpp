@@ -61,6 +61,19 @@ struct PlaceOf {
   const std::vector<Vertex>* vertices;
 };
 
+/// No edge at the vertex becomes shorter than min_size and than those there are.
+bool keeps_min_size(const MeshState& state, int v, const Vec3& place, const std::vector<int>& star) {
+  double before = std::numeric_limits<double>::infinity(), after = before;
+  for (int t : star) {
+    for (int w : state.complex.tet(t).vertex) {
+      if (w == v) continue;
+      before = std::min(before, (state.position(w) - state.position(v)).squaredNorm());
+      after = std::min(after, (state.position(w) - place).squaredNorm());
+    }
+  }
+  return after >= std::min(before, state.min_size * state.min_size);
+}
+
 }  // namespace
 
 const MaterialValue& Vertex::in(int material) const {
@@ -273,23 +286,6 @@ bool faces_outward(const MeshState& state, const Vertex& a, const Vertex& b, con
   const Vec3 outward = state.boundary().project_to_face(label, centre).normal;
   return outward.isZero() || normal.dot(outward) > least;
 }
-
-namespace {
-
-/// No edge at the vertex becomes shorter than min_size and than those there are.
-bool keeps_min_size(const MeshState& state, int v, const Vec3& place, const std::vector<int>& star) {
-  double before = std::numeric_limits<double>::infinity(), after = before;
-  for (int t : star) {
-    for (int w : state.complex.tet(t).vertex) {
-      if (w == v) continue;
-      before = std::min(before, (state.position(w) - state.position(v)).squaredNorm());
-      after = std::min(after, (state.position(w) - place).squaredNorm());
-    }
-  }
-  return after >= std::min(before, state.min_size * state.min_size);
-}
-
-}  // namespace
 
 bool may_move(const MeshState& state, int v, const Vertex& moved, const std::vector<int>& star) {
   const Vertex& old = state.vertices[v];
