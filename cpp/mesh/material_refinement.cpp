@@ -26,7 +26,7 @@ void grow(MeshState& state, const MaterialRefinementOptions& options, double lim
   // Memory is in order as long as the mesh has not grown by this factor.
   constexpr double kGrown = 1.5;
   constexpr std::size_t kMany = 16384;  // vertices; fewer fit into caches
-  constexpr double kLong = 1.1;        // what is a little longer than MaxSize may still be mended
+  constexpr double kLong = 1.1;         // what is a little longer than MaxSize may still be mended
   std::size_t sorted = kMany;
   for (int round = 0; round < kMostRounds; ++round) {
     if (state.vertices.size() > kGrown * sorted) {

@@ -162,7 +162,8 @@ class PairBound {
     double apart = 0.0;
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j < 4; ++j)
-        if (holds(at_a, i) && holds(at_b, j)) apart = std::max(apart, squared_difference(a.values[i], b.values[j]));
+        if (holds(at_a, i) && holds(at_b, j))
+          apart = std::max(apart, squared_difference(a.values[i], b.values[j]));
     return std::min(by_values, std::sqrt(apart) + bend(a, at_a) + bend(b, at_b));
   }
 
