@@ -19,8 +19,7 @@ class Cavity {
   /// Grows until `vertex` sees all faces of the cavity from inside. Facets of the boundary that it does not
   /// see make room, too (a hollow wall, the plane beside a bent crease), where they are neighbours, on the
   /// same face, of those that do already. Inner vertices may go; vertices of faces only for a vertex of a
-  /// crease. False where the boundary is in the way, or an
-  /// edge would be too short.
+  /// crease. False where the boundary is in the way, or an edge would be too short.
   bool open(const Vertex& vertex);
 
   const std::vector<int>& tets() const { return tets_; }

@@ -10,10 +10,10 @@
 
 namespace fgmesh {
 
-/// Proves the material threshold over the whole of each tetrahedron, where the stages look at its corners,
-/// and splits those that break it in between, a few times over; not where f jumps or edges would become
-/// shorter than MeshState::min_size. The certificate of each slot of the complex; that of a free one says
-/// nothing.
+/// Proves the material threshold over the whole of each tetrahedron, where the stages look at its corners and
+/// what these foretell. Those that break it are mended towards `goal`, or split, a few times over; not where
+/// f jumps or edges would become shorter than MeshState::min_size. The certificate of each slot of the
+/// complex; that of a free one says nothing.
 std::vector<TetCertificate> certify_mesh(MeshState& state, const QualityGoal& goal, RunControl& control);
 
 }  // namespace fgmesh
