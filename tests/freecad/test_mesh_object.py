@@ -15,6 +15,11 @@ READ_ONLY = (
 ).split()
 
 
+def test_every_freecad_knows_its_type(mesh):
+    """0.20 and 1.x have it; others that 1.x has 0.20 drops on opening, with all that is in them."""
+    assert mesh.TypeId == "Fem::FemMeshObjectPython"
+
+
 def nodes_of(mesh):
     """Coordinates (n, 3), node i + 1 in row i."""
     nodes = mesh.FemMesh.Nodes

@@ -27,8 +27,9 @@ LIBRARIES = {
 }
 """Library: its headers, and the folders of cpp/ that may include them."""
 
-MODEL = {"core", "mixing", "model"}
+MODEL = {"adapter", "core", "mixing", "model"}
 PYTHON_LAYERS = {
+    "adapter": set(),
     "colours": set(),
     "sampled_table": {"_core"},
     "core": {"_core", "sampled_table"},
@@ -38,7 +39,7 @@ PYTHON_LAYERS = {
     "cli": {"core", "io", "worker"},
     "__main__": {"cli"},
     "pictures": {"colours", "core", "io"},
-    "model": {"core", "mixing"},
+    "model": {"adapter", "core", "mixing"},
     "fem": MODEL | {"io", "worker"},
     "view": MODEL | {"colours", "fem"},
     "panels": MODEL | {"colours", "fem", "io", "pictures", "view", "worker"},
@@ -76,6 +77,10 @@ FREECAD = {
     "PartDesign",
     "Import",
 }
+VERSIONS = re.compile(
+    r"FreeCAD\.Version\b|supportedTypes|\b(?:import|from) (?:importFCMat|Materials|PySide[26])\b"
+)
+"""What only the adapter asks for: which FreeCAD this is."""
 GUI = re.compile(r"^(FreeCADGui|FemGui|PartGui|PySide\d?|PyQt\d|shiboken\d?|pivy)$")
 
 
@@ -127,6 +132,15 @@ def python_violations(root):
             reason = _forbidden_import(layer, module)
             if reason:
                 yield f"freecad/fgmesh/{place} imports {module}: {reason}"
+
+
+def version_questions(root):
+    """Messages, one for each file below root/freecad/fgmesh but the adapter that asks which FreeCAD this is."""
+    package = root / "freecad" / "fgmesh"
+    for path in sorted(package.rglob("*.py")):
+        found = VERSIONS.search(path.read_text(encoding="utf-8"))
+        if found and path != package / "adapter.py":
+            yield f"{path.relative_to(root)} has {found[0]}, which belongs into adapter.py"
 
 
 def imported_modules(source):

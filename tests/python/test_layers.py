@@ -4,7 +4,7 @@ import shutil
 
 import pytest
 
-from layers import cpp_violations, python_violations
+from layers import cpp_violations, python_violations, version_questions
 
 
 def test_cpp_includes_point_down(source_dir):
@@ -13,6 +13,19 @@ def test_cpp_includes_point_down(source_dir):
 
 def test_python_imports_point_down(source_dir):
     assert list(python_violations(source_dir)) == []
+
+
+@pytest.mark.parametrize(
+    "line",
+    ["FreeCAD.Version()", "document.supportedTypes()", "from PySide6 import QtGui", "import Materials"],
+)
+def test_only_the_adapter_asks_for_a_version(copied_tree, line):
+    assert list(version_questions(copied_tree)) == []
+    for name in ("model/frames.py", "adapter.py"):
+        with (copied_tree / "freecad" / "fgmesh" / name).open("a") as stream:
+            stream.write(f"\n{line}\n")
+    (found,) = version_questions(copied_tree)
+    assert "frames.py" in found
 
 
 def test_freecad_stays_a_namespace(source_dir):

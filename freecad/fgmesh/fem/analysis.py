@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A FEM analysis of a graded mesh, as FreeCAD's FEM workbench knows it."""
 from freecad.fgmesh import core
-from freecad.fgmesh.fem.fem_workbench import make_standard_solver, module
+from freecad.fgmesh.adapter import fem_module, make_standard_solver
 from freecad.fgmesh.fem.graded_fields import check_current
 from freecad.fgmesh.fem.graded_material import (
     Request,
@@ -35,7 +35,7 @@ def make_analysis(mesh, mode="bins", bins=20, mixing=None, allowed_error=0.0, an
     mesh_object.revive(mesh)
     with transaction(document, "Create graded analysis"):
         if analysis is None:
-            analysis = module("ObjectsFem").makeAnalysis(document, "Analysis")
+            analysis = fem_module("ObjectsFem").makeAnalysis(document, "Analysis")
         if mesh not in analysis.Group:
             analysis.addObject(mesh)
         graded = next(filter(is_graded_material, analysis.Group), None)

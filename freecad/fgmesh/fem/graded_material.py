@@ -10,7 +10,7 @@ import numpy as np
 
 from freecad.fgmesh import core, mixing
 from freecad.fgmesh.fem.bins import Bins, bins
-from freecad.fgmesh.fem.fem_workbench import module
+from freecad.fgmesh.adapter import fem_module
 from freecad.fgmesh.fem.graded_fields import check_current, graded_mesh
 from freecad.fgmesh.model import constituents, presentation
 from freecad.fgmesh.model.graded_parts import graded_parts
@@ -200,7 +200,7 @@ def _materials(graded, count, group):
     kept = [material for material in graded.Materials if material is not None]
     for material in kept[count:]:
         graded.Document.removeObject(material.Name)
-    make = module("ObjectsFem").makeMaterialSolid
+    make = fem_module("ObjectsFem").makeMaterialSolid
     for number in range(len(kept) + 1, count + 1):
         # With zeros in front, so that names sort as numbers do.
         material = make(graded.Document, f"{graded.Name}_Bin{number:04}")

@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from freecad.fgmesh import core
-from freecad.fgmesh.fem.fem_workbench import module
+from freecad.fgmesh.adapter import fem_module
 from freecad.fgmesh.fem.graded_fields import graded_mesh
 from freecad.fgmesh.fem.graded_material import check_filled, is_graded_material, request_of
 from freecad.fgmesh.model import presentation
@@ -25,11 +25,11 @@ _TABLE_ERROR = 1e-5
 _ANALYSES = ("static", "frequency", "buckling", "check")
 _PROPERTIES = (("*ELASTIC", ("YoungsModulus", "PoissonRatio")), ("*DENSITY", ("Density",)))
 
-tasks = module("femsolver.calculix.tasks")
-run = module("femsolver.run")
+tasks = fem_module("femsolver.calculix.tasks")
+run = fem_module("femsolver.run")
 
 
-class GradedSolver(module("femsolver.calculix.solver").Proxy):
+class GradedSolver(fem_module("femsolver.calculix.solver").Proxy):
     """The proxy: FreeCAD's solver object for CalculiX, but for the deck."""
 
     def onDocumentRestored(self, solver):

@@ -12,7 +12,7 @@ import FreeCAD
 
 from freecad.fgmesh import core
 from freecad.fgmesh.fem.analysis import solvers_of
-from freecad.fgmesh.fem.fem_workbench import module
+from freecad.fgmesh.adapter import fem_module
 from freecad.fgmesh.fem.graded_material import check_filled, is_graded_material
 from freecad.fgmesh.fem.graded_solver import check_analysis, grade_deck, is_graded_solver
 from freecad.fgmesh.fem.result_fields import add_fields, remove_fields
@@ -81,7 +81,7 @@ def _solver(analysis):
 
 def _tool(analysis, solver):
     # In its test mode it looks for no program and shows no message boxes.
-    return module("femtools.ccxtools").FemToolsCcx(analysis, solver, test_mode=True)
+    return fem_module("femtools.ccxtools").FemToolsCcx(analysis, solver, test_mode=True)
 
 
 def _program():

@@ -1,13 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The materials that a solid may be made of: FreeCAD's cards, the user's own, and those of the document."""
-import sys
 from pathlib import Path
 
 import FreeCAD
 
-from freecad.fgmesh import core
+from freecad.fgmesh import adapter, core
 
-_FOLDERS = ("Mod/Material/StandardMaterial", "Mod/Material/Resources/Materials")  # FreeCAD 0.20, 1.x
 _USER_FOLDER = "Material"
 
 
@@ -16,7 +14,7 @@ def card_paths():
     name."""
     resources, user = Path(FreeCAD.getResourceDir()), Path(FreeCAD.getUserAppDataDir())
     found = {}
-    for folder in [*(resources / folder for folder in _FOLDERS), user / _USER_FOLDER]:
+    for folder in [*(resources / folder for folder in adapter.CARD_FOLDERS), user / _USER_FOLDER]:
         found.update((path.stem, str(path)) for path in sorted(folder.rglob("*.FCMat")))
     return found
 
@@ -41,7 +39,7 @@ def properties(name, document):
         if thing.Name == name:
             return dict(thing.Material)
     path = card_paths().get(name)
-    return _card(path) if path else {}
+    return adapter.read_card(path) if path else {}
 
 
 UNITS = {
@@ -92,25 +90,3 @@ def _required_number(name, key, text, unit):
             f"{name}: its {key} is {text!r}, which is no quantity in {unit or 'plain numbers'}: correct the card"
         )
     return number
-
-
-def _reader_of_cards():
-    """FreeCAD's own, which only its windows and its command line have on their path."""
-    try:
-        import importFCMat
-    except ImportError:
-        sys.path.append(str(Path(FreeCAD.getResourceDir()) / "Mod" / "Material"))
-        import importFCMat
-    return importFCMat
-
-
-def _card(path):
-    try:
-        import Materials  # FreeCAD 1.x
-    except ImportError:
-        return dict(_reader_of_cards().read(path))
-    stem = Path(path).stem
-    for material in Materials.MaterialManager().Materials.values():
-        if material.Name in (stem, stem.replace("-", " ")):
-            return {name: str(value) for name, value in material.Properties.items()}
-    return {}

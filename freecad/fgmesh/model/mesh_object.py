@@ -19,8 +19,9 @@ from freecad.fgmesh.model.stateless import Stateless
 from freecad.fgmesh.model.transaction import transaction
 
 NOT_MESHED = "not meshed yet"
-_NATIVE_TYPE = "Fem::FemMeshShapeBaseObjectPython"  # since FreeCAD 1.0, with a Shape link of its own
-_PLAIN_TYPE = "Fem::FemMeshObjectPython"
+_TYPE = "Fem::FemMeshObjectPython"
+"""Of new meshes. FreeCAD 1.x has one with a `Shape` of its own, Fem::FemMeshShapeBaseObjectPython, which 0.20 loses on
+opening; such a mesh of an earlier FGMesh lives on where FreeCAD has the type."""
 _OPTION_NAMES = {"Groups", *(option.property for option in OPTIONS)}
 
 # Prop_Output: a result does not touch the object that shows it. The rest follows from _lock_results().
@@ -86,9 +87,8 @@ def make_mesh(document, solid, name="FGMesh"):
     if not graded_parts(solid):
         raise core.InvalidInput(f"{solid.Label} has no graded material: give it one with attach_material()")
     with transaction(document, "Make graded mesh"):
-        mesh = document.addObject(_mesh_type(document), name)
-        if "Shape" not in mesh.PropertiesList:
-            mesh.addProperty("App::PropertyLinkGlobal", "Shape", "Meshing", "The graded solid")
+        mesh = document.addObject(_TYPE, name)
+        mesh.addProperty("App::PropertyLinkGlobal", "Shape", "Meshing", "The graded solid")
         mesh.Shape = solid
         MeshObject(mesh)
         part = _part_of(solid)
@@ -171,10 +171,6 @@ def _add_missing_properties(mesh):
             mesh.addProperty(kind, name, "Results", tip, _OUTPUT)
         mesh.setEditorMode(name, ["ReadOnly", "Hidden"] if name in _HIDDEN else ["ReadOnly"])
     add_missing_options(mesh)
-
-
-def _mesh_type(document):
-    return _NATIVE_TYPE if _NATIVE_TYPE in document.supportedTypes() else _PLAIN_TYPE
 
 
 def _part_of(solid):

@@ -6,7 +6,7 @@ from PySide import QtCore, QtGui
 from freecad.fgmesh import core, mixing
 from freecad.fgmesh.fem.analysis import analyses_for
 from freecad.fgmesh.fem.bins import MOST
-from freecad.fgmesh.fem.fem_workbench import module
+from freecad.fgmesh.adapter import fem_module
 from freecad.fgmesh.fem.graded_fields import graded_mesh
 from freecad.fgmesh.fem.graded_material import MODES, Request, graded_materials, plan, request_of
 from freecad.fgmesh.model.macro_text import document_text, object_text
@@ -168,4 +168,4 @@ class AnalysisPanel:
             one for one in document.Objects if one not in present and one.isDerivedFrom("Fem::FemAnalysis")
         ]
         # The commands of the FEM workbench put constraints into the active one.
-        module("FemGui").setActiveAnalysis(chosen or made[0])
+        fem_module("FemGui").setActiveAnalysis(chosen or made[0])

@@ -3,7 +3,7 @@
 import FreeCADGui
 from PySide import QtGui
 
-from freecad.fgmesh.fem.fem_workbench import module
+from freecad.fgmesh.adapter import fem_module
 from freecad.fgmesh.model.stateless import Stateless
 from freecad.fgmesh.view import icon
 from freecad.fgmesh.view.double_click import run_on
@@ -55,6 +55,6 @@ def show_graded_solver(solver):
     """Gives `solver` the view provider of FreeCAD's own solvers, with their panel."""
     view = solver.ViewObject
     if view is not None:
-        kind = module("femsolver.calculix.solver").ViewProxy
+        kind = fem_module("femsolver.calculix.solver").ViewProxy
         if not isinstance(view.Proxy, kind):
             kind(view)
