@@ -3,6 +3,7 @@
 import numpy as np
 
 from freecad.fgmesh.io.abaqus import write_elements, write_rows, write_set
+from freecad.fgmesh.io.deck_numbers import deck_number
 
 _KEYWORDS = {
     "*ELASTIC": ("YoungsModulus", "PoissonRatio"),
@@ -29,7 +30,7 @@ def write_model(file, fields, binned, fem_mesh):
         file.write(f"*MATERIAL, NAME={name}\n")
         for keyword, properties in _KEYWORDS.items():
             if all(one in binned.values for one in properties):
-                row = ", ".join(f"{binned.values[one][number]:.13g}" for one in properties)
+                row = ", ".join(deck_number(binned.values[one][number]) for one in properties)
                 file.write(f"{keyword}\n{row}\n")
         file.write(f"*SOLID SECTION, ELSET={name}, MATERIAL={name}\n")
 
@@ -41,7 +42,7 @@ def write_fractions(file, at_nodes):
         fraction = at_nodes[f"fraction_{number}"]
         known = np.flatnonzero(np.isfinite(fraction))
         file.write(f"** fraction_{number}\n*INITIAL CONDITIONS, TYPE=FIELD, VARIABLE={number}\n")
-        write_rows(file, "%d, %.17g", [known + 1, fraction[known]])
+        write_rows(file, "%d, %s", [(known + 1).tolist(), map(deck_number, fraction[known].tolist())])
 
 
 def _node_groups(fem_mesh):

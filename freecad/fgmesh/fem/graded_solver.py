@@ -15,6 +15,7 @@ from freecad.fgmesh import core
 from freecad.fgmesh.adapter import fem_module
 from freecad.fgmesh.fem.graded_fields import graded_mesh
 from freecad.fgmesh.fem.graded_material import check_filled, is_graded_material, request_of
+from freecad.fgmesh.io.deck_numbers import deck_number
 from freecad.fgmesh.model import presentation
 
 _FIRST_ROWS = 33
@@ -129,7 +130,9 @@ def _rewrite(old, deck, materials, temperatures):
             if keyword == "*STEP" and not done:
                 deck.write("** Volume fraction of the first constituent in the place of a temperature\n")
                 deck.write("*INITIAL CONDITIONS, TYPE=TEMPERATURE\n")
-                deck.writelines(f"{node},{value:.13G}\n" for node, value in enumerate(temperatures, 1))
+                deck.writelines(
+                    f"{node},{deck_number(value)}\n" for node, value in enumerate(temperatures, 1)
+                )
                 done = True
         elif table and keyword in dict(_PROPERTIES) and not line.startswith("**") and line.strip():
             continue  # the value that the table replaces
@@ -145,9 +148,7 @@ def _table(region, laws):
     for keyword, names in _PROPERTIES:
         if all(name in properties for name in names):
             rows = np.column_stack([*(properties[name] for name in names), fractions])
-            tables[keyword] = "".join(
-                ",".join(f"{value:.13G}" for value in row) + "\n" for row in rows.tolist()
-            )
+            tables[keyword] = "".join(",".join(map(deck_number, row)) + "\n" for row in rows.tolist())
     return tables
 
 

@@ -3,6 +3,7 @@
 import numpy as np
 
 from freecad.fgmesh.io.boundary import element_sides
+from freecad.fgmesh.io.deck_numbers import deck_number, without_noise
 from freecad.fgmesh.io.groups import face_groups, members, node_groups
 
 
@@ -22,17 +23,18 @@ def write_abaqus(result, path):
         element, side = element_sides(result)
         for name, triangles in face_groups(result):
             file.write(f"*SURFACE, NAME={name}, TYPE=ELEMENT\n")
-            write_rows(file, "%d, S%d", [element[triangles] + 1, side[triangles] + 1])
+            write_rows(file, "%d, S%d", [(column[triangles] + 1).tolist() for column in (element, side)])
 
 
 def write_elements(file, points, tets):
     """The nodes, points (n, 3) in mm, NSET AllNodes, and the tetrahedra (m, 4 or 10), 0-based, ELSET AllSolids."""
-    points, tets = np.asarray(points), np.asarray(tets)
+    tets = np.asarray(tets)
     file.write("** FGMesh, lengths in mm\n*NODE, NSET=AllNodes\n")
-    write_rows(file, "%d, %.17g, %.17g, %.17g", [np.arange(1, len(points) + 1), *points.T])
+    coordinates = [map(deck_number, column) for column in without_noise(points).T.tolist()]
+    write_rows(file, "%d, %s, %s, %s", [range(1, len(points) + 1), *coordinates])
     nodes = tets.shape[1]  # in the order of VTK, which is that of these elements
     file.write(f"*ELEMENT, TYPE=C3D{nodes}, ELSET=AllSolids\n")
-    write_rows(file, "%d" + ", %d" * nodes, [np.arange(1, len(tets) + 1), *(tets.T + 1)])
+    write_rows(file, "%d" + ", %d" * nodes, [range(1, len(tets) + 1), *(tets.T + 1).tolist()])
 
 
 def write_set(file, kind, name, members):
@@ -47,4 +49,4 @@ def write_set(file, kind, name, members):
 
 def write_rows(file, form, columns):
     """A line of the format `form` for each row of the columns."""
-    file.write("\n".join(form % row for row in zip(*(column.tolist() for column in columns))) + "\n")
+    file.write("\n".join(form % row for row in zip(*columns)) + "\n")
