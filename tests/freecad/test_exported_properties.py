@@ -4,6 +4,7 @@ import itertools
 import re
 import subprocess
 
+import FreeCAD
 import meshio
 import numpy as np
 import pytest
@@ -17,9 +18,9 @@ def export_properties(fgmesh):
 
 
 @pytest.mark.parametrize("second_order", [False, True])
-@pytest.mark.parametrize("extension", ["vtu", "msh"])
+@pytest.mark.parametrize("extension", ["vtu", "msh", "xdmf"])
 def test_files_for_other_programs(extension, second_order, bar, fgmesh, tmp_path, export_properties):
-    """Read by meshio; .msh by gmsh itself, too, which gives back as many tetrahedra."""
+    """Read by meshio; .msh by gmsh itself, too, which gives back as many tetrahedra and all names."""
     if second_order:
         bar.mesh.SecondOrder = True
         fgmesh.generate(bar.mesh)
@@ -35,6 +36,8 @@ def test_files_for_other_programs(extension, second_order, bar, fgmesh, tmp_path
     in_tets = read.cell_data["YoungsModulus (MPa)"][0].ravel()
     assert in_tets == pytest.approx(1000 * np.exp(np.log(8) * centres / 10), rel=0.03)
     assert (np.ravel(read.cell_data["solid"][0]) == 1).all()
+    facets = meshio.read(tmp_path / "bar_facets.xdmf") if extension == "xdmf" else read
+    assert_facets_lie_on_their_faces(facets, bar.shape)
     if extension == "msh":
         said = subprocess.run(
             ["gmsh", str(path), "-0", "-o", str(tmp_path / "again.msh")], capture_output=True, text=True
@@ -45,6 +48,38 @@ def test_files_for_other_programs(extension, second_order, bar, fgmesh, tmp_path
             sum(len(block.data) for block in again.cells if block.type.startswith("tetra"))
             == bar.mesh.TetCount
         )
+        assert set(again.field_data) == set(read.field_data) == set(NAMES)
+        assert again.cell_data_dict["gmsh:physical"].keys() >= {
+            "tetra10",
+            "triangle6",
+            "line3",
+            "vertex",
+        } or (not second_order)
+
+
+NAMES = [
+    "Solid1",
+    *(f"{word}{n}" for word, last in (("Face", 6), ("Edge", 12), ("Vertex", 8)) for n in range(1, last + 1)),
+]
+"""Of the parts of a box."""
+
+
+def assert_facets_lie_on_their_faces(read, box):
+    """And cover them; they carry the properties of the tetrahedra behind them."""
+    areas = dict.fromkeys(range(1, 7), 0.0)
+    for block, faces, moduli in zip(
+        read.cells, read.cell_data["face"], read.cell_data["YoungsModulus (MPa)"]
+    ):
+        if block.type.startswith("triangle"):
+            corners = read.points[block.data[:, :3]]
+            doubled = np.linalg.norm(np.cross(*(corners[:, i] - corners[:, 0] for i in (1, 2))), axis=1)
+            for face, area, middle in zip(np.ravel(faces).astype(int), doubled / 2, corners.mean(axis=1)):
+                areas[face] += area
+                assert box.Faces[face - 1].isInside(FreeCAD.Vector(*middle), 1e-6, True)
+            assert (
+                np.abs(np.log(np.ravel(moduli) / 1000 / 8 ** (corners[..., 0].mean(axis=1) / 10))).max() < 0.3
+            )
+    assert list(areas.values()) == pytest.approx([face.Area for face in box.Faces])
 
 
 @pytest.mark.parametrize("second_order", [False, True])
@@ -79,16 +114,33 @@ def test_models_for_decks(second_order, bar, fgmesh, tmp_path, export_properties
         seen += len(members)
     assert seen == bar.mesh.TetCount
 
-    held, pulled = (np.flatnonzero(np.abs(read.points[:, 0] - x) < 1e-9) + 1 for x in (0, 10))
-    step = ["*BOUNDARY", *(f"{node}, 1, 3" for node in held), "*STEP", "*STATIC", "*BOUNDARY"]
-    step += [*(f"{node}, 1, 1, 0.1" for node in pulled), "*NODE PRINT, NSET=Held, TOTALS=ONLY", "RF"]
-    sets = ["*NSET, NSET=Held", *(f"{node}," for node in held)]
-    (tmp_path / "deck.inp").write_text("\n".join(["*INCLUDE, INPUT=bar.inp", *sets, *step, "*END STEP", ""]))
+    held, pulled = (
+        f"Face{1 + [face.CenterOfMass.isEqual(FreeCAD.Vector(x, 0, 0), 1e-6) for face in bar.shape.Faces].index(True)}"
+        for x in (0, 10)
+    )
+    step = (
+        f"*BOUNDARY\n{held}, 1, 3\n*STEP\n*STATIC\n*DSLOAD\n{pulled}, P, -8.\n*NODE PRINT, NSET={pulled}\nU\n"
+    )
+    (tmp_path / "deck.inp").write_text(f"*INCLUDE, INPUT=bar.inp\n{step}*END STEP\n")
     run = subprocess.run(["ccx", "-i", "deck"], cwd=tmp_path, capture_output=True, text=True)
     assert "*ERROR" not in run.stdout and "*WARNING" not in run.stdout
-    force = float((tmp_path / "deck.dat").read_text().split()[-3])
-    # A bar of springs in a row: F = u A / integral of dx/E, A = 4 mm^2.
-    assert -force == pytest.approx(0.1 * 4 / (10 / 1000 * (1 - 1 / 8) / np.log(8)), rel=0.03)
+    moved = np.loadtxt(tmp_path / "deck.dat", skiprows=3)[:, 1]
+    # A bar of springs in a row: u = s integral of dx/E.
+    assert moved == pytest.approx(8 * 10 / 1000 * (1 - 1 / 8) / np.log(8), rel=0.03)
+
+
+def test_the_command_line_and_the_export_write_the_same_mesh(bar, fgmesh, tmp_path, export_properties):
+    """Up to the materials: with the same sets and surfaces, under the same names."""
+    from freecad.fgmesh import io
+
+    bar.mesh.SecondOrder = True
+    io.write_mesh(fgmesh.generate(bar.mesh), tmp_path / "mesh.inp")
+    export_properties(bar.mesh, tmp_path / "bar.inp")
+    mesh = (tmp_path / "mesh.inp").read_text()
+    assert (tmp_path / "bar.inp").read_text().startswith(mesh)
+    assert re.findall(r"\*NSET, NSET=(.*)", mesh) == NAMES
+    assert re.findall(r"\*SURFACE, NAME=(.*), TYPE=ELEMENT", mesh) == [n for n in NAMES if "Face" in n]
+    assert re.findall(r"\*ELSET, ELSET=(.*)", mesh) == ["Solid1"]
 
 
 def test_decks_are_read_by_another_program(analysis, bar, tmp_path):
@@ -118,7 +170,7 @@ def test_freecad_itself_writes_med_with_the_bins(analysis, bar, tmp_path):
 
 
 def test_files_of_no_known_kind(bar, tmp_path, core, export_properties):
-    with pytest.raises(core.InvalidInput, match=".vtu, .msh, .inp"):
+    with pytest.raises(core.InvalidInput, match=".vtu, .msh, .xdmf, .inp"):
         export_properties(bar.mesh, tmp_path / "bar.stl")
     with pytest.raises(core.InvalidInput, match="FreeCAD exports the mesh object"):
         export_properties(bar.mesh, tmp_path / "bar.med")

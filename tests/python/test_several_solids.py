@@ -177,7 +177,7 @@ def test_what_only_the_separated_solids_have_is_number_0_and_has_no_name():
     assert at_tip.any()
     (message,) = (message for message in result.messages if "the shape forces" in message)
     assert "the faces at an edge where solids were separated meet at 3 degrees at (1.90" in message
-    names = {name for name, _ in groups.node_groups(result)}
+    names = {group.name for group in groups.grouped(result).groups}
     assert {"Solid1", "Solid2"} < names and not names & {"Edge0", "Vertex0"}
 
 

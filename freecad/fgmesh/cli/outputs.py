@@ -5,7 +5,7 @@ import os
 from freecad.fgmesh import io
 from freecad.fgmesh.cli import interrupts
 from freecad.fgmesh.io.atomic import check_writable, remove_unfinished
-from freecad.fgmesh.io.mesh_file import WRITERS
+from freecad.fgmesh.io.mesh_file import write_result
 from freecad.fgmesh.io.report_file import write_report_text
 
 
@@ -31,7 +31,7 @@ def write(result, arguments):
     outputs = _outputs(arguments)
     interrupts.before_leaving(remove_unfinished)
     with io.replaced_together(*outputs, before_replacing=interrupts.ignore) as temporary:
-        WRITERS[io.mesh_format(arguments.output)](result, temporary[0])
+        write_result(result, temporary[0], io.mesh_format(arguments.output))
         if arguments.report:
             write_report_text(result.report(), temporary[1])
 

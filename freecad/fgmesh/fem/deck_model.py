@@ -2,7 +2,7 @@
 """The model part of a deck for CalculiX or Abaqus, with a material for each bin; and fractions as fields of Abaqus."""
 import numpy as np
 
-from freecad.fgmesh.io.abaqus import write_elements, write_rows, write_set
+from freecad.fgmesh.io.abaqus import write_mesh_part, write_rows, write_set
 from freecad.fgmesh.io.deck_numbers import deck_number
 
 _KEYWORDS = {
@@ -15,17 +15,16 @@ _KEYWORDS = {
 """What each of them tells of a material."""
 
 
-def write_model(file, fields, binned, fem_mesh):
-    """Writes a graded_fields.GradedMesh to an open text file: all but a step. binned: the Bins of its elements; the groups
-    of `fem_mesh` on faces, edges and vertices become sets of nodes."""
-    write_elements(file, fields.points, fields.tets)
-    for solid in np.unique(fields.solids):
-        write_set(file, "ELSET", f"Solid{solid + 1}", np.flatnonzero(fields.solids == solid))
-    for name, nodes in _node_groups(fem_mesh):
-        write_set(file, "NSET", name, nodes)
+def bin_names(binned):
+    """Of the sets and materials of the bins."""
+    return [f"Bin{number:04}" for number in range(1, binned.count + 1)]
+
+
+def write_model(file, mesh, binned):
+    """Writes an io.groups.GroupedMesh with the Bins of its elements to an open text file: all but a step."""
+    write_mesh_part(file, mesh)
     file.write(f"** Properties are at most {binned.error:.3g} off, relatively; in mm, t, s, K, MPa\n")
-    for number, members in enumerate(binned.members()):
-        name = f"Bin{number + 1:04}"
+    for number, (name, members) in enumerate(zip(bin_names(binned), binned.members())):
         write_set(file, "ELSET", name, members)
         file.write(f"*MATERIAL, NAME={name}\n")
         for keyword, properties in _KEYWORDS.items():
@@ -43,14 +42,3 @@ def write_fractions(file, at_nodes):
         known = np.flatnonzero(np.isfinite(fraction))
         file.write(f"** fraction_{number}\n*INITIAL CONDITIONS, TYPE=FIELD, VARIABLE={number}\n")
         write_rows(file, "%d, %s", [(known + 1).tolist(), map(deck_number, fraction[known].tolist())])
-
-
-def _node_groups(fem_mesh):
-    """Yield (name, 0-based nodes) of the groups of faces, edges and vertices."""
-    for group in fem_mesh.Groups:
-        kind, members = fem_mesh.getGroupElementType(group), fem_mesh.getGroupElements(group)
-        if kind == "Volume" or not members:
-            continue
-        if kind != "Node":
-            members = {node for member in members for node in fem_mesh.getElementNodes(member)}
-        yield fem_mesh.getGroupName(group), np.array(sorted(members)) - 1

@@ -1,14 +1,21 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A meshing result as a Fem mesh of FreeCAD's, with groups for solids, faces, edges and vertices."""
+"""A mesh with named groups as a Fem mesh of FreeCAD's, with groups for solids, faces, edges and vertices, and back."""
 import Fem
 import numpy as np
 
-from freecad.fgmesh.io.groups import cell_groups, node_groups
+from freecad.fgmesh.io.groups import WORDS, Group, GroupedMesh, grouped, groups_by_number
+from freecad.fgmesh.io.names import clean_names
 from freecad.fgmesh.model.options import GROUP_KINDS
 
 # FreeCAD numbers the nodes of a tetrahedron in the opposite sense to VTK: given in VTK's order, CalculiX
 # finds a negative Jacobian in each. Each of these orders takes itself back.
 _NODES = {4: [1, 0, 2, 3], 10: [1, 0, 2, 3, 4, 6, 5, 8, 7, 9]}
+
+_KINDS = ("Node", "Edge", "Face", "Volume")
+"""What FreeCAD calls the members of a group, by their dimension."""
+
+_OF_NODES = "_Nodes"
+"""How the name of a group of nodes ends that belongs to one of elements, or to a vertex."""
 
 
 def to_fem_mesh(result, kinds=GROUP_KINDS):
@@ -19,33 +26,75 @@ def to_fem_mesh(result, kinds=GROUP_KINDS):
     (volumes), `FaceN` (triangles), `EdgeN` (edges), and `SolidN_Nodes`, `FaceN_Nodes`, `EdgeN_Nodes`,
     `VertexN_Nodes`, as io.groups tells of them; of `kinds` alone. Seams and the edges that are but a point have no group.
     """
-    mesh = Fem.FemMesh()
-    for number, (x, y, z) in enumerate(result.points.tolist(), 1):
+    source, mesh = grouped(result), Fem.FemMesh()
+    for number, (x, y, z) in enumerate(source.points.tolist(), 1):
         mesh.addNode(x, y, z, number)
-    adders = (("Volume", mesh.addVolume), ("Face", mesh.addFace), ("Edge", mesh.addEdge))
     first = 1
-    for (kind, add), (cells, groups) in zip(adders, cell_groups(result)):
-        nodes = cells[:, _NODES[cells.shape[1]]] if kind == "Volume" else cells
+    for dimension, add in ((3, mesh.addVolume), (2, mesh.addFace), (1, mesh.addEdge)):
+        cells = source.cells(dimension)
+        nodes = cells[:, _NODES[cells.shape[1]]] if dimension == 3 else cells
         for number, row in enumerate((nodes + 1).tolist(), first):
             add(row, number)
-        for name, chosen in _of(kinds, groups):
-            _add_group(mesh, name, kind, chosen + first)
+        for group in source.of(dimension):
+            if WORDS[dimension] in kinds:
+                _add_group(mesh, group.name, _KINDS[dimension], group.members + first)
         first += len(cells)
-    for name, nodes in _of(kinds, node_groups(result)):
-        _add_group(mesh, f"{name}_Nodes", "Node", nodes + 1)
+    for group in source.groups:
+        if WORDS[group.dimension] in kinds:
+            _add_group(mesh, f"{group.name}{_OF_NODES}", _KINDS[0], source.nodes(group) + 1)
     return mesh
 
 
 def points_and_tets(mesh):
     """Points (n, 3) and tets (m, 4 or 10), as in the core.MeshingResult that `mesh`, a Fem.FemMesh, was made of."""
     points = np.array([tuple(point) for point in mesh.Nodes.values()]).reshape(-1, 3)
-    rows = [mesh.getElementNodes(number) for number in mesh.Volumes]
-    tets = np.array(rows, np.int32).reshape(len(rows), len(rows[0]) if rows else 4) - 1
+    tets = _cells(mesh, mesh.Volumes, 4)
     return points, tets[:, _NODES[tets.shape[1]]]
 
 
-def _of(kinds, groups):
-    return [(name, chosen) for name, chosen in groups if name.rstrip("0123456789") in kinds]
+def from_fem_mesh(mesh, solids, without=(), taken=()):
+    """The GroupedMesh of `mesh`, a Fem.FemMesh that to_fem_mesh() made and whose groups others may have changed.
+
+    solids (m,): N of the SolidN of each tetrahedron. Of the groups those of a name in `without` are left out. Names
+    that are no SolidN, FaceN, EdgeN or VertexN become clean ones (io.names), which differ from those `taken`.
+    """
+    points, tets = points_and_tets(mesh)
+    ids = [
+        np.arange(1, len(points) + 1),
+        *(np.array(found, int) for found in (mesh.Edges, mesh.Faces, mesh.Volumes)),
+    ]
+    found = []
+    for key in mesh.Groups:
+        name, dimension = mesh.getGroupName(key), _KINDS.index(mesh.getGroupElementType(key))
+        if name not in without:
+            members = np.searchsorted(ids[dimension], sorted(mesh.getGroupElements(key)))
+            found.append(Group(name, dimension, members))
+    parts, others = _parts_and_others(found)
+    parts = [*groups_by_number(3, solids), *(part for part in parts if part.dimension < 3)]
+    others = [group for group in others if len(group.members)]
+    names = clean_names([group.name for group in others], [*taken, *(part.name for part in parts)])
+    others = [group._replace(name=name) for group, name in zip(others, names)]
+    triangles, edges = _cells(mesh, mesh.Faces, 3), _cells(mesh, mesh.Edges, 2)
+    return GroupedMesh(points, tets, triangles, edges, parts + others)
+
+
+def _parts_and_others(groups):
+    """Those of parts of the shape, by dimension and number; and all others but the nodes of groups of elements."""
+    elements = {group.name for group in groups if group.dimension > 0}
+    parts, others = [], []
+    for group in groups:
+        if group.dimension == 0 and group.name.endswith(_OF_NODES):
+            group = group._replace(name=group.name.removesuffix(_OF_NODES))
+            if group.name in elements:
+                continue
+        (parts if group.number else others).append(group)
+    return sorted(parts, key=lambda part: (-part.dimension, part.number)), others
+
+
+def _cells(mesh, ids, corners):
+    """(n, nodes), 0-based."""
+    rows = [mesh.getElementNodes(number) for number in ids]
+    return np.array(rows, np.int32).reshape(len(rows), len(rows[0]) if rows else corners) - 1
 
 
 def _add_group(mesh, name, kind, numbers):

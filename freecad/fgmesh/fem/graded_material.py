@@ -76,6 +76,12 @@ def graded_materials(document, mesh):
     return [thing for thing in document.Objects if is_graded_material(thing) and thing.Mesh == mesh]
 
 
+def groups_of_bins(mesh):
+    """Names of the groups in the Fem mesh of `mesh` that are of bins of its graded materials."""
+    materials = [one for graded in graded_materials(mesh.Document, mesh) for one in graded.Materials]
+    return {_GROUP.format(material.Name) for material in materials if material is not None}
+
+
 def new_graded_material(document, mesh, name="GradedMaterial"):
     """A new object, still without materials: fill() makes them."""
     graded = document.addObject("App::FeaturePython", name)

@@ -13,6 +13,7 @@ import numpy as np
 
 from freecad.fgmesh import core
 from freecad.fgmesh.adapter import fem_module
+from freecad.fgmesh.fem.deck_names import check_names
 from freecad.fgmesh.fem.graded_fields import graded_mesh
 from freecad.fgmesh.fem.graded_material import check_filled, is_graded_material, request_of
 from freecad.fgmesh.io.deck_numbers import deck_number
@@ -54,6 +55,7 @@ class Check(tasks.Check):
         super().run()
         try:
             check_analysis(self.analysis, self.solver)
+            check_names(self.analysis)
         except core.Error as error:
             self.report.error(f"{error}\n")
             self.fail()

@@ -13,6 +13,7 @@ import FreeCAD
 from freecad.fgmesh import core
 from freecad.fgmesh.fem.analysis import solvers_of
 from freecad.fgmesh.adapter import fem_module
+from freecad.fgmesh.fem.deck_names import check_names
 from freecad.fgmesh.fem.graded_material import check_filled, is_graded_material
 from freecad.fgmesh.fem.graded_solver import check_analysis, grade_deck, is_graded_solver
 from freecad.fgmesh.fem.result_fields import add_fields, remove_fields
@@ -53,6 +54,7 @@ def write_deck(analysis, directory=None):
     """Writes the deck for CalculiX. Returns its Path. Raises core.InvalidInput, with the words of FreeCAD where its
     own check finds something amiss."""
     solver = _solver(analysis)
+    check_names(analysis)
     tool = _tool(analysis, solver)
     tool.update_objects()
     tool.setup_working_dir(None if directory is None else str(directory))

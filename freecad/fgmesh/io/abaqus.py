@@ -4,36 +4,42 @@ import numpy as np
 
 from freecad.fgmesh.io.boundary import element_sides
 from freecad.fgmesh.io.deck_numbers import deck_number, without_noise
-from freecad.fgmesh.io.groups import face_groups, members, node_groups
+
+ALL_NODES, ALL_SOLIDS = "AllNodes", "AllSolids"
+"""Names of sets that no group may have."""
 
 
-def write_abaqus(result, path):
-    """Write elements C3D4 or C3D10 numbered from 1, with sets for a deck:
-
-    ELSET SolidN; NSET SolidN, FaceN, EdgeN, VertexN, the nodes of each, for supports; SURFACE FaceN
-    (TYPE=ELEMENT), for pressures. The boundary triangles and the edges are no elements of the deck: CalculiX
-    would take them for shells and beams.
-    """
+def write_abaqus(mesh, fields, path):
+    """Write a GroupedMesh alone to `path`; fields are nothing that a deck of CalculiX could hold."""
     with open(path, "w", encoding="ascii") as file:
-        write_elements(file, result.points, result.tets)
-        for name, elements in members("Solid", result.tet_solids):
-            write_set(file, "ELSET", name, elements)
-        for name, nodes in node_groups(result):
-            write_set(file, "NSET", name, nodes)
-        element, side = element_sides(result)
-        for name, triangles in face_groups(result):
-            file.write(f"*SURFACE, NAME={name}, TYPE=ELEMENT\n")
-            write_rows(file, "%d, S%d", [(column[triangles] + 1).tolist() for column in (element, side)])
+        write_mesh_part(file, mesh)
 
 
-def write_elements(file, points, tets):
-    """The nodes, points (n, 3) in mm, NSET AllNodes, and the tetrahedra (m, 4 or 10), 0-based, ELSET AllSolids."""
+def write_mesh_part(file, mesh):
+    """Write elements C3D4 or C3D10 numbered from 1, with sets for a deck, to an open text file:
+
+    NSET AllNodes, ELSET AllSolids; of groups ELSET SolidN; NSET SolidN, FaceN, EdgeN, VertexN, the nodes of each, for
+    supports; SURFACE FaceN (TYPE=ELEMENT), for pressures; others of the user's likewise. The boundary triangles and
+    the edges are no elements of the deck: CalculiX would take them for shells and beams.
+    """
+    _write_elements(file, mesh.points, mesh.tets)
+    for group in mesh.of(3):
+        write_set(file, "ELSET", group.name, group.members)
+    for group in mesh.groups:
+        write_set(file, "NSET", group.name, mesh.nodes(group))
+    element, side = element_sides(mesh)
+    for group in mesh.of(2):
+        file.write(f"*SURFACE, NAME={group.name}, TYPE=ELEMENT\n")
+        write_rows(file, "%d, S%d", [(column[group.members] + 1).tolist() for column in (element, side)])
+
+
+def _write_elements(file, points, tets):
     tets = np.asarray(tets)
-    file.write("** FGMesh, lengths in mm\n*NODE, NSET=AllNodes\n")
+    file.write(f"** FGMesh, lengths in mm\n*NODE, NSET={ALL_NODES}\n")
     coordinates = [map(deck_number, column) for column in without_noise(points).T.tolist()]
     write_rows(file, "%d, %s, %s, %s", [range(1, len(points) + 1), *coordinates])
     nodes = tets.shape[1]  # in the order of VTK, which is that of these elements
-    file.write(f"*ELEMENT, TYPE=C3D{nodes}, ELSET=AllSolids\n")
+    file.write(f"*ELEMENT, TYPE=C3D{nodes}, ELSET={ALL_SOLIDS}\n")
     write_rows(file, "%d" + ", %d" * nodes, [range(1, len(tets) + 1), *(tets.T + 1).tolist()])
 
 

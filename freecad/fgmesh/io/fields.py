@@ -1,36 +1,46 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The fields of a meshing result, by name, for files that hold fields."""
+"""Fields by name, for files that hold fields."""
+from typing import NamedTuple
+
 import numpy as np
 
 from freecad.fgmesh.io.boundary import element_sides
 
 
-def point_data(result):
-    """Fields of the points, by name, each (n,): volume fractions, which sum to one; `vertex` and `edge`, N of the
-    VertexN that a point stands on or of the EdgeN that it lies on between its ends, 0 where there is none."""
+class Fields(NamedTuple):
+    """Numbers at the points and in the cells of a GroupedMesh."""
+
+    at_points: dict  # {name: (n,)}
+    in_cells: dict  # {name: [(m,) of the tetrahedra, (t,) of the triangles]}
+
+
+def fields_of(mesh, result):
+    """Those of a core.MeshingResult, whose GroupedMesh is `mesh`: volume fractions, which sum to one; variation and
+    smallest dihedral angle; and those of `fields_with`."""
     fractions = {
         f"fraction_{number}": column for number, column in enumerate(np.asarray(result.fractions).T, 1)
     }
-    dimension, number = np.asarray(result.carriers).T
-    vertex = np.where(dimension == 0, number, 0)
+    of_tets = {"variation": result.variation, "dihedral_min": result.dihedral_min}
+    return fields_with(mesh, fractions, of_tets)
+
+
+def fields_with(mesh, at_points, of_tets):
+    """Fields with the values `at_points`, {name: (n,)}, and those `of_tets`, {name: (m,)}; and what part of the shape
+    each point and cell belongs to.
+
+    At points `vertex` and `edge`: N of the VertexN that a point stands on or of the EdgeN that it lies on between its
+    ends, 0 where there is none. In cells `solid` and `face`: tetrahedra carry face 0, triangles solid 0. Triangles
+    carry the other values of the tetrahedron behind them: viewers draw them in front of it.
+    """
+    vertex = mesh.numbers(0)
     edge = np.zeros_like(vertex)
     # Of those that meet at a vertex which the shape given has not, one with a number.
-    np.maximum.at(edge, np.asarray(result.edges), np.asarray(result.edge_edges)[:, None])
+    np.maximum.at(edge, mesh.edges, mesh.numbers(1)[:, None])
     edge[vertex > 0] = 0
-    return {**fractions, "vertex": vertex, "edge": edge}
-
-
-def cell_data(result):
-    """Fields of the cells, by name: one array for the tetrahedra, one for the triangles.
-
-    Tetrahedra carry face 0, triangles solid 0. Triangles carry the variation and the angle of the tetrahedron
-    behind them: viewers draw them in front of it.
-    """
-    behind, _ = element_sides(result)
-    variation, angle = np.asarray(result.variation), np.asarray(result.dihedral_min)
-    return {
-        "solid": [np.asarray(result.tet_solids, np.int32), np.zeros(len(behind), np.int32)],
-        "face": [np.zeros(len(variation), np.int32), np.asarray(result.triangle_faces, np.int32)],
-        "variation": [variation, variation[behind]],
-        "dihedral_min": [angle, angle[behind]],
+    behind, _ = element_sides(mesh)
+    in_cells = {
+        "solid": [mesh.numbers(3), np.zeros(len(behind), np.int32)],
+        "face": [np.zeros(len(mesh.tets), np.int32), mesh.numbers(2)],
+        **{name: [np.asarray(values), np.asarray(values)[behind]] for name, values in of_tets.items()},
     }
+    return Fields({**at_points, "vertex": vertex, "edge": edge}, in_cells)

@@ -3,10 +3,9 @@
 
 meshio writes no entity that has no point of its own, as an edge of the shape under a single mesh edge.
 """
-import numpy as np
+from typing import NamedTuple
 
-from freecad.fgmesh.io.fields import cell_data, point_data
-from freecad.fgmesh.io.groups import members
+import numpy as np
 
 # By dimension and number of nodes: the element's code, and its nodes from those of VTK.
 _CODES = {(0, 1): 15, (1, 2): 1, (1, 3): 8, (2, 3): 2, (2, 6): 9, (3, 4): 4, (3, 10): 11}
@@ -14,58 +13,96 @@ _TEN_NODES = [0, 1, 2, 3, 4, 5, 6, 7, 9, 8]
 _DATUM = np.dtype([("number", np.int32), ("value", np.float64)])
 
 
-def write_gmsh(result, path):
-    """Write tetrahedra, triangles, edges and points, each kind sorted by the part of the shape, which is an entity
-    and a physical group: SolidN, FaceN, EdgeN, VertexN. Edges and points carry the variation and the angle of a
+class _Entity(NamedTuple):
+    """Cells that are in the same groups."""
+
+    dimension: int
+    number: int
+    physical: tuple  # numbers of its groups
+    rows: np.ndarray  # of its cells
+    cells: np.ndarray  # their points
+
+
+def write_gmsh(mesh, fields, path):
+    """Write a GroupedMesh with its Fields: tetrahedra, triangles, edges and points, each kind sorted by entities, which
+    are the parts of the shape, with the number that these have. All groups are physical ones, but those of points that
+    are no vertex of the shape, which gmsh has not. Cells in no group are left out. Edges and points carry the values of a
     tetrahedron at them.
     """
-    carriers = _carriers(result)
+    physical = _physical_numbers(mesh)
+    entities = [entity for dimension in (3, 2, 1, 0) for entity in _entities(mesh, dimension, physical)]
+    carriers = _carriers(mesh, entities)
     # Some readers, meshio among them, number points as they stand in the file, which is entity by entity.
     order = np.lexsort((carriers[:, 1], carriers[:, 0]))
     place = np.argsort(order)
-    blocks = list(_blocks(result))
     with open(path, "wb") as file:
         _section(file, "MeshFormat", b"4.1 1 8\n" + _ints(1) + b"\n")
-        names = [f'{dimension} {number} "{name}"\n' for dimension, number, name, *_ in blocks]
+        names = [f'{dimension} {number} "{name}"\n' for (dimension, name), number in physical.items()]
         _section(file, "PhysicalNames", f"{len(names)}\n{''.join(names)}".encode())
-        _section(file, "Entities", _entities(blocks, np.asarray(result.points)))
-        _section(file, "Nodes", _nodes(carriers[order], np.asarray(result.points)[order]))
-        _section(file, "Elements", _elements(blocks, place))
-        for name, values in point_data(result).items():
+        _section(file, "Entities", _entity_table(entities, mesh.points))
+        _section(file, "Nodes", _nodes(carriers[order], mesh.points[order]))
+        _section(file, "Elements", _elements(entities, place))
+        for name, values in fields.at_points.items():
             _section(file, "NodeData", _data(name, values[order]))
-        for name, values in _fields_of_blocks(result, blocks).items():
+        for name, values in _fields_of_entities(mesh, fields, entities).items():
             _section(file, "ElementData", _data(name, values))
 
 
-def _carriers(result):
-    """Those of the result; a solid at it carries a point on an edge or a vertex that is no entity of the file."""
-    carriers = np.array(result.carriers)
-    nameless = carriers[:, 1] == 0
-    solids = np.asarray(result.tet_solids)[_tets_at_points(result)]
-    carriers[nameless] = np.column_stack([np.full(len(solids), 3), solids])[nameless]
+def _physical_numbers(mesh):
+    """{(dimension, name): number} of all groups that become physical ones: N of SolidN; more for others."""
+    numbers = {}
+    for dimension in (3, 2, 1, 0):
+        groups = [group for group in mesh.of(dimension) if group.number or dimension > 0]
+        free = max([group.number for group in groups], default=0)
+        for group in groups:
+            free += not group.number
+            numbers[dimension, group.name] = group.number or free
+    return numbers
+
+
+def _entities(mesh, dimension, physical):
+    """Yield the entities of a dimension. A part of the shape is the one with its number, but for cells of its that are
+    in other groups, too: these make entities with free numbers."""
+    groups = [group for group in mesh.of(dimension) if (dimension, group.name) in physical]
+    all_cells = mesh.cells(dimension)
+    free = max([physical[dimension, group.name] for group in groups], default=0)
+    for numbers, rows in _cells_by_groups(groups, [physical[dimension, group.name] for group in groups]):
+        free += len(numbers) > 1
+        yield _Entity(dimension, numbers[0] if len(numbers) == 1 else free, numbers, rows, all_cells[rows])
+
+
+def _cells_by_groups(groups, numbers):
+    """[(numbers of groups, the rows of the cells that are in these and in no others)]; those of one group come first."""
+    if not groups:
+        return []
+    cells = np.concatenate([group.members for group in groups])
+    of_cells = np.repeat(numbers, [len(group.members) for group in groups])
+    order = np.lexsort((of_cells, cells))
+    cells, of_cells = cells[order], of_cells[order]
+    rows, starts, counts = np.unique(cells, return_index=True, return_counts=True)
+    alone, kinds = of_cells[starts[counts == 1]], {}
+    order = np.argsort(alone, kind="stable")
+    found, firsts = np.unique(alone[order], return_index=True)
+    for number, chosen in zip(found.tolist(), np.split(rows[counts == 1][order], firsts[1:])):
+        kinds[(number,)] = chosen
+    for row, start, count in zip(*(column[counts > 1].tolist() for column in (rows, starts, counts))):
+        kinds.setdefault(tuple(of_cells[start : start + count].tolist()), []).append(row)
+    return [(key, np.array(kinds[key])) for key in sorted(kinds, key=lambda key: (len(key) > 1, key))]
+
+
+def _carriers(mesh, entities):
+    """(n, 2): dimension and number of the entity of the lowest dimension that a point is in."""
+    carriers = np.empty((len(mesh.points), 2), np.int32)
+    for entity in sorted(entities, key=lambda entity: (-entity.dimension, -entity.number)):
+        carriers[entity.cells] = entity.dimension, entity.number
     return carriers
 
 
-def _tets_at_points(result):
+def _tets_at_points(mesh):
     """(n,): index of a tetrahedron at each point."""
-    found = np.empty(len(result.points), np.int64)
-    found[np.asarray(result.tets)] = np.arange(len(result.tets))[:, None]
+    found = np.empty(len(mesh.points), np.int64)
+    found[mesh.tets] = np.arange(len(mesh.tets))[:, None]
     return found
-
-
-def _blocks(result):
-    """Yield (dimension, number, name, rows of the cells, cells) for each part of the shape."""
-    dimension, number = np.asarray(result.carriers).T
-    vertices = np.flatnonzero(dimension == 0)
-    kinds = [
-        (3, "Solid", result.tets, result.tet_solids),
-        (2, "Face", result.triangles, result.triangle_faces),
-        (1, "Edge", result.edges, result.edge_edges),
-        (0, "Vertex", vertices[:, None], number[vertices]),
-    ]
-    for dimension, word, cells, numbers in kinds:
-        for name, rows in members(word, numbers):
-            yield dimension, int(name[len(word) :]), name, rows, np.asarray(cells)[rows]
 
 
 def _section(file, name, content):
@@ -80,14 +117,14 @@ def _sizes(*values):
     return np.array(values, np.uint64).tobytes()
 
 
-def _entities(blocks, points):
+def _entity_table(entities, points):
     """Boxes and physical groups; what bounds what is left out."""
-    parts = [_sizes(*(sum(block[0] == dimension for block in blocks) for dimension in range(4)))]
-    for dimension, number, _, _, cells in sorted(blocks, key=lambda block: block[:2]):
-        nodes = points[cells.reshape(-1)]
-        box = nodes[0] if dimension == 0 else np.concatenate([nodes.min(axis=0), nodes.max(axis=0)])
-        parts += [_ints(number), box.tobytes(), _sizes(1), _ints(number)]
-        if dimension > 0:
+    parts = [_sizes(*(sum(one.dimension == dimension for one in entities) for dimension in range(4)))]
+    for entity in sorted(entities, key=lambda one: one[:2]):
+        nodes = points[entity.cells.reshape(-1)]
+        box = nodes[0] if entity.dimension == 0 else np.concatenate([nodes.min(axis=0), nodes.max(axis=0)])
+        parts += [_ints(entity.number), box.tobytes(), _sizes(len(entity.physical)), _ints(*entity.physical)]
+        if entity.dimension > 0:
             parts.append(_sizes(0))
     return b"".join(parts) + b"\n"
 
@@ -103,10 +140,10 @@ def _nodes(carriers, points):
     return b"".join(parts) + b"\n"
 
 
-def _elements(blocks, place):
-    total = sum(len(block[3]) for block in blocks)
-    parts, first = [_sizes(len(blocks), total, 1, total)], 1
-    for dimension, number, _, rows, cells in blocks:
+def _elements(entities, place):
+    total = sum(len(one.rows) for one in entities)
+    parts, first = [_sizes(len(entities), total, 1, total)], 1
+    for dimension, number, _, rows, cells in entities:
         nodes = place[cells] + 1
         if cells.shape[1] == 10:
             nodes = nodes[:, _TEN_NODES]
@@ -117,21 +154,21 @@ def _elements(blocks, place):
     return b"".join(parts) + b"\n"
 
 
-def _fields_of_blocks(result, blocks):
+def _fields_of_entities(mesh, fields, entities):
     """The fields of all elements, in the order of the file."""
-    tet_at = _tets_at_points(result)
-    fields = {}
-    for name, (of_tets, of_triangles) in cell_data(result).items():
-        in_blocks = []
-        for dimension, _, _, rows, cells in blocks:
-            if dimension >= 2:
-                in_blocks.append((of_tets if dimension == 3 else of_triangles)[rows])
+    tet_at = _tets_at_points(mesh)
+    found = {}
+    for name, (of_tets, of_triangles) in fields.in_cells.items():
+        parts = []
+        for entity in entities:
+            if entity.dimension >= 2:
+                parts.append((of_tets if entity.dimension == 3 else of_triangles)[entity.rows])
             elif name in ("solid", "face"):
-                in_blocks.append(np.zeros(len(rows)))
+                parts.append(np.zeros(len(entity.rows)))
             else:
-                in_blocks.append(of_tets[tet_at[cells[:, 0]]])
-        fields[name] = np.concatenate(in_blocks)
-    return fields
+                parts.append(of_tets[tet_at[entity.cells[:, 0]]])
+        found[name] = np.concatenate(parts)
+    return found
 
 
 def _data(name, values):

@@ -6,10 +6,6 @@ readers disagree on the sense of its length factor, and without it all take the 
 """
 from itertools import chain
 
-import numpy as np
-
-from freecad.fgmesh.io.groups import cell_groups, node_groups
-
 # By number of nodes: the element's code (rods and beams, plane stress triangles, solid tetrahedra; linear,
 # parabolic) and its nodes from those of VTK. Parabolic elements have each middle node between its corners.
 EDGES = {2: (11, [0, 1]), 3: (24, [0, 2, 1])}
@@ -19,17 +15,19 @@ BEAMS = {code for code, _ in EDGES.values()}
 NODE, ELEMENT = 7, 8  # type codes of group entries
 
 
-def write_unv(result, path):
-    """Write tetrahedra numbered from 1, then the triangles, then the edges; groups SolidN, FaceN and EdgeN of
-    these, and SolidN_Nodes, FaceN_Nodes, EdgeN_Nodes, VertexN_Nodes (points, numbered from 1)."""
+def write_unv(mesh, fields, path):
+    """Write a GroupedMesh alone: tetrahedra numbered from 1, then the triangles, then the edges; groups SolidN, FaceN
+    and EdgeN of these, and SolidN_Nodes, FaceN_Nodes, EdgeN_Nodes, VertexN_Nodes (points, numbered from 1).
+    """
     elements, groups, first = [], [], 1
-    for codes, (cells, named) in zip((TETRAHEDRA, TRIANGLES, EDGES), cell_groups(result)):
+    for codes, dimension in ((TETRAHEDRA, 3), (TRIANGLES, 2), (EDGES, 1)):
+        cells = mesh.cells(dimension)
         elements.append(_elements(first, codes, cells))
-        groups += [(name, ELEMENT, chosen + first) for name, chosen in named]
+        groups += [(group.name, ELEMENT, group.members + first) for group in mesh.of(dimension)]
         first += len(cells)
-    groups += [(f"{name}_Nodes", NODE, nodes + 1) for name, nodes in node_groups(result)]
+    groups += [(f"{group.name}_Nodes", NODE, mesh.nodes(group) + 1) for group in mesh.groups]
     with open(path, "w", encoding="ascii") as file:
-        _dataset(file, 2411, _nodes(np.asarray(result.points)))
+        _dataset(file, 2411, _nodes(mesh.points))
         _dataset(file, 2412, chain.from_iterable(elements))
         _dataset(
             file, 2467, (line for number, group in enumerate(groups, 1) for line in _group(number, *group))
