@@ -50,7 +50,7 @@ def export_properties(mesh, path, mixing=None, most_bins=20, allowed_error=0.0):
     laws = read_laws(mixing or {})
     graded = graded_mesh(mesh)
     if extension == _DECK:
-        _write_deck(mesh, graded, laws, bins(graded.in_tets(laws), most_bins, allowed_error), path)
+        _write_deck(mesh, graded, bins(graded.in_tets(laws), most_bins, allowed_error), path)
     else:
         _write_fields(mesh, graded, laws, path)
 
@@ -74,9 +74,9 @@ def _grouped(mesh, graded, taken=()):
     return from_fem_mesh(mesh.FemMesh, graded.solids + 1, groups_of_bins(mesh), taken)
 
 
-def _write_deck(mesh, graded, laws, binned, path):
+def _write_deck(mesh, graded, binned, path):
     written = _grouped(mesh, graded, [ALL_NODES, ALL_SOLIDS, *bin_names(binned)])
-    at_nodes = graded.at_nodes(laws)
+    at_nodes = graded.at_nodes()
     with replaced_together(path, _beside(path, "fractions")) as (model, fractions):
         with open(model, "w", encoding="ascii") as file:
             write_model(file, written, binned)

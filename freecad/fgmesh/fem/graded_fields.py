@@ -46,12 +46,12 @@ class Region(NamedTuple):
         """(n, k) at the nodes with these 0-based numbers."""
         return self._checked(self.material.evaluate(points[nodes]))
 
-    def properties(self, fractions, laws):
+    def properties(self, fractions, laws, within_range=True):
         """{property: (n,)} of mixtures with `fractions` (n, k): of `REQUIRED`, and of all others that each card has.
-        laws: as mixing.read_laws() gives them. Raises core.InvalidInput that names the solid."""
+        laws, within_range: as mixing.mixed() takes them. Raises core.InvalidInput that names the solid."""
         wanted = [name for name in mixing.PROPERTIES if name in REQUIRED or None not in self.cards[name]]
         try:
-            return mixing.mixed(fractions, self.cards, laws, wanted)
+            return mixing.mixed(fractions, self.cards, laws, wanted, within_range)
         except core.InvalidInput as error:
             names = ", ".join(f"{n}: {name}" for n, name in enumerate(self.owner.FGMConstituents, 1))
             raise core.InvalidInput(f"{self.owner.Label} ({names}): {error}") from None
@@ -86,15 +86,23 @@ class GradedMesh(NamedTuple):
                 column[region.tets] = properties[name]
         return values
 
-    def at_nodes(self, laws):
-        """{name: (n,)}: `fraction_1` ... and the properties, as named() names them. At an interface a node has the values
-        of one of the solids; NaN where a solid has not what others have."""
+    def nodes_of(self, region):
+        """The 0-based nodes of a region, sorted."""
+        return np.unique(self.tets[region.tets])
+
+    def at_nodes(self, laws=None):
+        """{name: (n,)}: `fraction_1` ... and, where `laws` are given, the properties, as named() names them. At an
+        interface a node has the values of one of the solids; NaN where a solid has not what others have.
+
+        Values are to be looked at: on the boundary a formula may give a modulus of 0, which no element has.
+        """
         values = {}
         for region in self.regions:
-            nodes = np.unique(self.tets[region.tets])
+            nodes = self.nodes_of(region)
             fractions = region.node_fractions(self.points, nodes)
             found = {f"fraction_{number}": column for number, column in enumerate(fractions.T, 1)}
-            found.update(self.named(region.properties(fractions, laws)))
+            if laws is not None:
+                found.update(self.named(region.properties(fractions, laws, within_range=False)))
             for name, column in found.items():
                 values.setdefault(name, np.full(len(self.points), np.nan))[nodes] = column
         return values
@@ -116,7 +124,7 @@ class GradedMesh(NamedTuple):
                     f"{region.owner.Label} has {count} constituents, but the continuous mode knows two: "
                     "take bins"
                 )
-            nodes = np.unique(self.tets[region.tets])
+            nodes = self.nodes_of(region)
             fractions = region.node_fractions(self.points, nodes)[:, 0]
             jumps = np.abs(fractions - values[nodes]) > _JUMP  # never where there is no value yet
             if jumps.any():

@@ -125,10 +125,11 @@ def fill(graded):
 
 def plan(fields, request):
     """The Bins that a Request comes to on a graded_fields.GradedMesh. Raises core.InvalidInput."""
-    properties = fields.in_tets(request.laws())
+    laws = request.laws()
+    properties = fields.in_tets(laws)
     if request.mode == "bins":
         return bins(properties, request.bins, request.allowed_error)
-    return _one_for_each_region(fields, properties)
+    return _one_for_each_region(fields, properties, laws)
 
 
 def refill(mesh):
@@ -189,13 +190,17 @@ def _made_from(graded):
     }
 
 
-def _one_for_each_region(fields, properties):
+def _one_for_each_region(fields, properties, laws):
     """As bins() gives them; a material for each region, with its mean properties, is where a solver begins that
     has the true ones from elsewhere."""
-    fields.first_fractions()  # which refuses what it cannot tell
+    first = fields.first_fractions()  # which refuses what it cannot tell
     numbers = np.empty(len(fields.tets), int)
     for number, region in enumerate(fields.regions):
         numbers[region.tets] = number
+        at_nodes = first[fields.nodes_of(region)]
+        region.properties(
+            np.column_stack([at_nodes, 1 - at_nodes]), laws
+        )  # which must have a meaning there, too
     counts = np.bincount(numbers)
     values = {name: np.bincount(numbers, weights=column) / counts for name, column in properties.items()}
     return Bins(numbers, values, 0.0)

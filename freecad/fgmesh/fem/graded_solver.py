@@ -106,10 +106,11 @@ def grade_deck(path, analysis):
     """Replaces the materials in the deck at `path`, which FreeCAD has written for `analysis`, by graded ones."""
     graded = _graded(analysis)
     fields, laws = graded_mesh(graded.Mesh), request_of(graded).laws()
-    materials = {
-        material.Name: _table(region, laws) for material, region in zip(graded.Materials, fields.regions)
-    }
     temperatures = fields.first_fractions()
+    materials = {
+        material.Name: _table(region, laws, temperatures[fields.nodes_of(region)])
+        for material, region in zip(graded.Materials, fields.regions)
+    }
     path = Path(path)
     new = path.with_name(path.name + ".new")
     with open(path, encoding="utf-8") as old, open(new, "w", encoding="utf-8") as deck:
@@ -141,10 +142,13 @@ def _rewrite(old, deck, materials, temperatures):
         deck.write(line)
 
 
-def _table(region, laws):
-    """{keyword: the lines of its table over the fraction of the first constituent}."""
+def _table(region, laws, fractions):
+    """{keyword: the lines of its table over the fraction of the first constituent}, from the least to the largest of the
+    `fractions` (n,) that the nodes of the region have: a law need not have a meaning for others."""
     fractions, properties = table_rows(
-        lambda fractions: region.properties(np.column_stack([fractions, 1 - fractions]), laws)
+        lambda fractions: region.properties(np.column_stack([fractions, 1 - fractions]), laws),
+        fractions.min(),
+        fractions.max(),
     )
     tables = {}
     for keyword, names in _PROPERTIES:
@@ -154,12 +158,13 @@ def _table(region, laws):
     return tables
 
 
-def table_rows(properties_at):
-    """Fractions (n,) from 0 to 1, and {property: (n,)} there, as many as linear interpolation needs.
+def table_rows(properties_at, low=0.0, high=1.0):
+    """Fractions (n,) from `low` to `high`, and {property: (n,)} there, as many as linear interpolation needs; one where
+    both are equal.
 
     properties_at: a function that gives {property: (n,)} at fractions (n,).
     """
-    fractions = np.linspace(0, 1, _FIRST_ROWS)
+    fractions = np.unique(np.linspace(low, high, _FIRST_ROWS))
     properties = properties_at(fractions)
     for _ in range(_MOST_ROUNDS):
         middles = (fractions[1:] + fractions[:-1]) / 2

@@ -47,11 +47,11 @@ class Formula:
                     f"'{kind}{number}' is of constituent {number}, but there are only {constituents}", start
                 )
 
-    def values(self, fractions, cards):
+    def values(self, fractions, cards, within_range=True):
         """What it gives (n,) for fractions (n, k), which are not below zero; cards: the Cards of the constituents.
 
-        Raises InvalidInput where a card lacks what the formula names, or where a value has no meaning for the
-        property, with the fractions at the first such place.
+        Raises InvalidInput where a card lacks what the formula names, or, with within_range, where a value has no meaning
+        for the property, with the fractions at the first such place.
         """
         self.check(fractions.shape[1])
         parameters = {}
@@ -61,7 +61,7 @@ class Formula:
         material = self._material(fractions.shape[1], parameters)
         values = material.evaluate(np.zeros((len(fractions), 3)), fractions)[:, 0]
         wrong = np.flatnonzero(~PROPERTIES[self.name].holds(values))
-        if len(wrong):
+        if within_range and len(wrong):
             place = ", ".join(f"v{number} = {v:.4g}" for number, v in enumerate(fractions[wrong[0]], 1))
             raise core.InvalidInput(
                 f"{self.name}: the formula {self.text.strip()!r} gives {values[wrong[0]]:.6g} where {place}, "

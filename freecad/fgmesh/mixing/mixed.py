@@ -11,12 +11,13 @@ _ROUNDING = 1e-6
 """How far fractions may be from [0, 1], and their sum from 1."""
 
 
-def mixed(fractions, cards, laws, wanted=None):
+def mixed(fractions, cards, laws, wanted=None, within_range=True):
     """{property: (n,) floats} of the mixtures with `fractions` (n, k), rows of the sum 1.
 
     cards: {property: (k,) numbers} of the constituents, in units that fit together (the stress in tamura(q) and the
     values of formulas included); None or NaN where a constituent's is not known. laws: what `read_laws` gives.
-    wanted: names of properties; where None, of all that are in `cards`.
+    wanted: names of properties; where None, of all that are in `cards`. within_range: whether what formulas give must be
+    in the range of its property; only these fractions count.
 
     Voigt's and Reuss's means are those of the property itself, Young's modulus and Poisson's ratio included, as the
     literature on graded materials has it; but for Reuss's Poisson's ratio, which is that of the bulk and shear moduli,
@@ -27,7 +28,7 @@ def mixed(fractions, cards, laws, wanted=None):
     law needs, values outside of their range in cards or from formulas.
     """
     fractions = _checked(fractions)
-    mixture = _Mixture(fractions, Cards(cards, fractions.shape[1]))
+    mixture = _Mixture(fractions, Cards(cards, fractions.shape[1]), within_range)
     values = {}
     for name in cards if wanted is None else wanted:
         check_name(name)
@@ -36,15 +37,15 @@ def mixed(fractions, cards, laws, wanted=None):
 
 
 class _Mixture:
-    def __init__(self, fractions, cards):
-        self.fractions, self.cards = fractions, cards
+    def __init__(self, fractions, cards, within_range):
+        self.fractions, self.cards, self._within_range = fractions, cards, within_range
         self._moduli = {}  # both of Young's modulus and Poisson's ratio ask for the same
 
     def value(self, name, law):
         """The property `name` by its Law or Formula, (n,)."""
         law.check(self.fractions.shape[1])
         if isinstance(law, Formula):
-            return law.values(self.fractions, self.cards)
+            return law.values(self.fractions, self.cards, self._within_range)
         purpose = f"{name} by {law.name}"
         values = self.cards.of(name, purpose)
         if law.name == "voigt":
