@@ -18,6 +18,7 @@
 #include "brep/divided_spans.hpp"
 #include "brep/flat_triangles.hpp"
 #include "brep/occt.hpp"
+#include "brep/surface.hpp"
 #include "brep/weld.hpp"
 
 namespace fgmesh::brep {
@@ -106,8 +107,10 @@ std::vector<double> volumes_beyond(const Sampling& sampling, const Topology& top
     double volume = 0.0;  // on the side to which the surface looks
     for (const auto& [a, b, c] : samples.triangles) {
       const Vec3 &p = samples.points[a], &q = samples.points[b], &r = samples.points[c];
-      const auto mean = [&](int k) { return (samples.uv[a][k] + samples.uv[b][k] + samples.uv[c][k]) / 3.0; };
-      const Vec3 beyond = to_vec3(surface->Value(mean(0), mean(1))) - (p + q + r) / 3.0;
+      const Uv &at_p = samples.uv[a], &at_q = samples.uv[b], &at_r = samples.uv[c];
+      const gp_Pnt middle =
+          surface->Value((at_p[0] + at_q[0] + at_r[0]) / 3.0, (at_p[1] + at_q[1] + at_r[1]) / 3.0);
+      const Vec3 beyond = to_vec3(middle) - (p + q + r) / 3.0;
       volume += 0.75 * beyond.dot(0.5 * (q - p).cross(r - p));
     }
     const FaceUse& use = topology.face_use(number);

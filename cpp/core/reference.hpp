@@ -17,7 +17,7 @@ struct Reference {
   /// the nearest the gradient is that of one of them.
   std::shared_ptr<const ScalarField> distance;
   /// Content of the file that it was found in, so that another process can find it, too.
-  std::shared_ptr<const std::string> shape;
+  std::shared_ptr<const std::string> shape{};
 };
 
 }  // namespace fgmesh

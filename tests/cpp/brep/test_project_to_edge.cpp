@@ -14,10 +14,11 @@ using test::sampled;
 
 TEST(ProjectToEdge, LineIsClampedToItsEnds) {
   const auto [model, boundary] = sampled(test::box(10, 20, 30));
-  const auto along_z = std::find_if(boundary.curves.begin(), boundary.curves.end(), [&](const auto& curve) {
-    const Vec3 a = boundary.points[curve.points.front()], b = boundary.points[curve.points.back()];
-    return a.head<2>().isZero(1e-9) && b.head<2>().isZero(1e-9);
-  });
+  const auto along_z = std::find_if(
+      boundary.curves.begin(), boundary.curves.end(), [&points = boundary.points](const auto& curve) {
+        const Vec3 a = points[curve.points.front()], b = points[curve.points.back()];
+        return a.head<2>().isZero(1e-9) && b.head<2>().isZero(1e-9);
+      });
   ASSERT_NE(along_z, boundary.curves.end());
   EXPECT_LT((model.project_to_edge(along_z->edge, {3, 4, 12}).position - Vec3(0, 0, 12)).norm(), 1e-9);
   EXPECT_LT((model.project_to_edge(along_z->edge, {3, 4, -9}).position - Vec3(0, 0, 0)).norm(), 1e-9);
@@ -41,9 +42,10 @@ TEST(ProjectToEdge, CircleHasNoEnd) {
 
 TEST(ProjectToEdge, FindsTheNearSideOfASharpCornerWhereTheEdgeCloses) {
   const auto [model, boundary] = sampled(test::teardrop());
-  const auto rim = std::find_if(boundary.curves.begin(), boundary.curves.end(), [&](const auto& curve) {
-    return curve.points.front() == curve.points.back() && boundary.points[curve.points[0]].z() < 1.0;
-  });
+  const auto rim = std::find_if(
+      boundary.curves.begin(), boundary.curves.end(), [&points = boundary.points](const auto& curve) {
+        return curve.points.front() == curve.points.back() && points[curve.points[0]].z() < 1.0;
+      });
   ASSERT_NE(rim, boundary.curves.end());
   for (int i = 1; i < 200; ++i) {
     const double t = i / 200.0, s = 1.0 - t;
