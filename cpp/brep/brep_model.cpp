@@ -43,8 +43,10 @@ BrepModel::BrepModel(BrepModel&&) noexcept = default;
 BrepModel::~BrepModel() = default;
 
 BrepModel BrepModel::from_text(const std::string& text, RunControl& control) {
-  const TopoDS_Shape shape = brep::read_shape(text, control);
-  return BrepModel(std::make_unique<State>(brep::check_shape(shape, control)));
+  const brep::ReadShape read = brep::read_shape(text, control);
+  brep::CheckedShape checked = brep::check_shape(read.shape, control);
+  checked.notes.insert(checked.notes.begin(), read.notes.begin(), read.notes.end());
+  return BrepModel(std::make_unique<State>(std::move(checked)));
 }
 
 SampledBoundary BrepModel::sample(const SamplingOptions& options, RunControl& control) {

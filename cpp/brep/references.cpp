@@ -85,7 +85,7 @@ std::vector<Piece> pieces_of(const Part& part, const std::string& name, const Me
 std::vector<Reference> make_references(const std::string& shape, const std::vector<std::string>& names,
                                        RunControl& control) {
   control.begin_stage("references");
-  brep::CheckedShape checked = brep::check_solids(brep::read_shape(shape, control), control);
+  brep::CheckedShape checked = brep::check_solids(brep::read_shape(shape, control).shape, control);
   std::vector<Part> parts;
   for (const std::string& name : names) parts.push_back(find_part(name, checked.topology));
   const auto measured = std::make_shared<MeasuredShape>(MeasuredShape{std::move(checked), {}, {}});

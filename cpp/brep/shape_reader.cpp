@@ -4,13 +4,8 @@
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <IFSelect_ReturnStatus.hxx>
-#include <Interface_Check.hxx>
-#include <Interface_CheckIterator.hxx>
-#include <Interface_InterfaceModel.hxx>
 #include <Interface_Static.hxx>
 #include <STEPControl_Reader.hxx>
-#include <TCollection_HAsciiString.hxx>
-#include <XSControl_WorkSession.hxx>
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -20,6 +15,7 @@
 #include <sstream>
 
 #include "brep/occt.hpp"
+#include "brep/step_check.hpp"
 
 namespace fgmesh::brep {
 namespace {
@@ -166,25 +162,7 @@ TopoDS_Shape read_brep(const std::string& text, RunControl& control) {
   return shape;
 }
 
-/// OpenCASCADE follows references of a faulty entity of geometry that lead nowhere, and crashes. What is
-/// wrong with names, colours or dimensions does not matter here.
-void require_sound_geometry(const STEPControl_Reader& reader) {
-  const Handle(Interface_InterfaceModel) model = reader.Model();
-  Interface_CheckIterator faults = reader.WS()->ModelCheckList();
-  for (faults.Start(); faults.More(); faults.Next()) {
-    const int number = faults.Number();
-    if (!faults.Value()->HasFailed() || number < 1) continue;
-    const Handle(Standard_Transient) entity = model->Value(number);
-    const std::string type = entity->DynamicType()->Name();
-    const bool matters =
-        type.rfind("StepGeom_", 0) == 0 || type.rfind("StepShape_", 0) == 0 || model->IsUnknownEntity(number);
-    if (!matters) continue;
-    throw InvalidInput("the STEP file is damaged at " + std::string(model->StringLabel(entity)->ToCString()) +
-                       " (" + faults.Value()->CFail(1) + "); export it again");
-  }
-}
-
-TopoDS_Shape read_step(const std::string& text, RunControl& control) {
+ReadShape read_step(const std::string& text, RunControl& control) {
   // OpenCASCADE keeps the settings and the parser of STEP in global variables.
   static std::mutex step_mutex;
   const std::lock_guard<std::mutex> lock(step_mutex);
@@ -197,7 +175,7 @@ TopoDS_Shape read_step(const std::string& text, RunControl& control) {
   if (reader.ReadStream("shape.step", stream) != IFSelect_RetDone) {
     throw InvalidInput("the STEP file breaks the syntax of ISO 10303-21; export it again");
   }
-  require_sound_geometry(reader);
+  ReadShape read{{}, harmless_faults(reader)};
   control.check();
   Handle(StopIndicator) indicator = new StopIndicator(control);
   reader.TransferRoots(indicator->Start());
@@ -205,18 +183,21 @@ TopoDS_Shape read_step(const std::string& text, RunControl& control) {
   if (reader.NbShapes() == 0) {
     throw GeometryError("the STEP file describes no shape; export the solid again, as AP214 or AP242");
   }
-  return reader.OneShape();
+  for (std::string& note : require_all_solids(reader)) read.notes.push_back(std::move(note));
+  read.shape = reader.OneShape();
+  return read;
 }
 
 }  // namespace
 
-TopoDS_Shape read_shape(const std::string& text, RunControl& control) {
+ReadShape read_shape(const std::string& text, RunControl& control) {
   refuse_other_data(text);
   const bool step = is_step(text);
   step ? require_complete_step(text) : require_complete_brep(text);
   control.check();
-  return guarded("reading the shape",
-                 [&] { return step ? read_step(text, control) : read_brep(text, control); });
+  return guarded("reading the shape", [&] {
+    return step ? read_step(text, control) : ReadShape{read_brep(text, control), {}};
+  });
 }
 
 }  // namespace fgmesh::brep

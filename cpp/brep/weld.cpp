@@ -24,13 +24,20 @@ struct Misfit {
   std::string fault;
 };
 
+/// A piece of a face's border, the face on its left.
+struct BorderSide {
+  std::array<int, 2> nodes{};   ///< of the face's triangulation, from 0
+  std::array<int, 2> points{};  ///< common to all faces that meet here
+};
+
 class Welder {
  public:
   Welder(const CheckedShape& shape, const TriangulatedCopy& triangulated)
       : topology_(shape.topology),
         triangulated_(triangulated),
         vertex_points_(topology_.vertex_count(), -1),
-        edge_points_(topology_.edge_count()) {
+        edge_points_(topology_.edge_count()),
+        longest_bridged_(1e-5 * shape.bounds.diagonal()) {
     sampling_.faces.resize(topology_.face_count());
     sampling_.edge_parameters.resize(topology_.edge_count());
     boundary().bounds = shape.bounds;
@@ -112,7 +119,7 @@ class Welder {
   }
 
   void weld_edges(int number, const Handle(Poly_Triangulation) & triangulation,
-                  const TopLoc_Location& location, std::vector<int>& common) {
+                  const TopLoc_Location& location, std::vector<int>& common, std::vector<BorderSide>& sides) {
     const std::string name = "Face" + std::to_string(number);
     const TopoDS_Face face = topology_.face(number);
     for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
@@ -131,13 +138,18 @@ class Welder {
         throw Misfit{name + " is sampled otherwise than its neighbour along Edge" +
                      std::to_string(edge_number)};
       }
+      const bool backward =
+          (edge.Orientation() == TopAbs_REVERSED) != (face.Orientation() == TopAbs_REVERSED);
+      const auto wanted = [&](int i) { return points[std::min<std::size_t>(i, points.size()) - 1]; };
       for (int i = 1; i <= polygon->NbNodes(); ++i) {
         int& point = common[polygon->Node(i) - 1];
-        const int wanted = points[std::min<std::size_t>(i, points.size()) - 1];
-        if (point >= 0 && point != wanted) {
+        if (point < 0) point = wanted(i);
+        if ((boundary().points[point] - boundary().points[wanted(i)]).norm() > longest_bridged_) {
           throw Misfit{name + " is too narrow beside Edge" + std::to_string(edge_number)};
         }
-        point = wanted;
+        if (i == 1) continue;
+        const int from = backward ? i : i - 1, to = backward ? i - 1 : i;
+        sides.push_back({{polygon->Node(from) - 1, polygon->Node(to) - 1}, {wanted(from), wanted(to)}});
       }
       add_border(edge, face, *polygon, *triangulation, sampling_.faces[number - 1].border);
     }
@@ -151,7 +163,8 @@ class Welder {
       throw Misfit{"Face" + std::to_string(number) + " cannot be triangulated"};
     }
     std::vector<int> common(triangulation->NbNodes(), -1);
-    weld_edges(number, triangulation, location, common);
+    std::vector<BorderSide> sides;
+    weld_edges(number, triangulation, location, common, sides);
 
     FaceSamples& samples = sampling_.faces[number - 1];
     const Handle(Geom_Surface) surface = BRep_Tool::Surface(topology_.face(number));
@@ -163,10 +176,10 @@ class Welder {
       samples.uv.push_back({uv.X(), uv.Y()});
     }
     add_triangles(number, *triangulation, common);
+    add_slivers(number, sides, common);
   }
 
   void add_triangles(int number, const Poly_Triangulation& triangulation, const std::vector<int>& common) {
-    const FaceUse& use = topology_.face_use(number);
     for (int i = 1; i <= triangulation.NbTriangles(); ++i) {
       int a = 0, b = 0, c = 0;
       triangulation.Triangle(i).Get(a, b, c);
@@ -175,10 +188,29 @@ class Welder {
           triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0];
       if (collapsed) continue;
       sampling_.faces[number - 1].triangles.push_back({a - 1, b - 1, c - 1});
-      if (use.reversed) std::swap(triangle[1], triangle[2]);
-      boundary().triangles.push_back(triangle);
-      boundary().triangle_face.push_back(number);
-      boundary().triangle_solids.push_back({use.solid_behind, use.solid_before});
+      add_triangle(number, triangle);
+    }
+  }
+
+  /// `triangle` as the surface looks, not the solid.
+  void add_triangle(int number, std::array<int, 3> triangle) {
+    const FaceUse& use = topology_.face_use(number);
+    if (use.reversed) std::swap(triangle[1], triangle[2]);
+    boundary().triangles.push_back(triangle);
+    boundary().triangle_face.push_back(number);
+    boundary().triangle_solids.push_back({use.solid_behind, use.solid_before});
+  }
+
+  /// Where points of the border are so near to each other that BRepMesh made one node of them, the triangles
+  /// have one of the points; those added here lie between them and the border with all of its points.
+  void add_slivers(int number, const std::vector<BorderSide>& sides, const std::vector<int>& common) {
+    const auto add = [&](int a, int b, int c) {
+      if (a != b && b != c && c != a) add_triangle(number, {a, b, c});
+    };
+    for (const BorderSide& side : sides) {
+      const int from = common[side.nodes[0]], to = common[side.nodes[1]];
+      add(from, side.points[0], side.points[1]);
+      add(from, side.points[1], to);
     }
   }
 
@@ -198,6 +230,7 @@ class Welder {
   const TriangulatedCopy& triangulated_;
   std::vector<int> vertex_points_;
   std::vector<std::vector<int>> edge_points_;
+  double longest_bridged_;  // mm: points that are farther from each other never become one
   Sampling sampling_;
 };
 
