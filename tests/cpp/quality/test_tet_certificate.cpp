@@ -31,7 +31,8 @@ double sampled_variation(const Material& material, const Corners& tet, int steps
     for (int j = 0; j <= steps - i; ++j)
       for (int k = 0; k <= steps - i - j; ++k) {
         const Vec3 place = (i * tet[0] + j * tet[1] + k * tet[2] + (steps - i - j - k) * tet[3]) / steps;
-        values.emplace_back(fractions_at(material, place));
+        const Composition value = fractions_at(material, place);
+        values.push_back(value);  // a copy: g++ 12 warns of reading too much where it is moved
       }
   double largest = 0.0;
   for (const Composition& a : values)
