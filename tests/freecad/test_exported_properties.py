@@ -114,9 +114,9 @@ def test_models_for_decks(second_order, bar, fgmesh, tmp_path, export_properties
         seen += len(members)
     assert seen == bar.mesh.TetCount
 
+    middles = [tuple(face.CenterOfMass) for face in bar.shape.Faces]
     held, pulled = (
-        f"Face{1 + [face.CenterOfMass.isEqual(FreeCAD.Vector(x, 0, 0), 1e-6) for face in bar.shape.Faces].index(True)}"
-        for x in (0, 10)
+        f"Face{1 + np.abs(np.subtract(middles, (x, 0, 0))).max(axis=1).argmin()}" for x in (0, 10)
     )
     step = (
         f"*BOUNDARY\n{held}, 1, 3\n*STEP\n*STATIC\n*DSLOAD\n{pulled}, P, -8.\n*NODE PRINT, NSET={pulled}\nU\n"

@@ -115,6 +115,22 @@ def test_parts_that_the_shape_has_not_give_no_group(cube, tmp_path):
     assert data["edge"][26] == 12  # of the edges that meet there, one that the shape has
 
 
+def test_gmsh_has_triangles_in_the_groups_of_all_their_faces(cube, tmp_path):
+    """Two triangles of Face1 lie on a Face7, too: meshio has sets, gmsh's old format each of them twice."""
+    cube.coincident_faces = np.array([[0, 7], [1, 7]], np.int32)
+    io.write_mesh(cube, tmp_path / "cube.msh")
+    sets = meshio.read(tmp_path / "cube.msh").cell_sets
+    sizes = {name: sum(map(len, sets[name])) for name in ("Face1", "Face2", "Face7")}
+    assert sizes == {"Face1": 8, "Face2": 8, "Face7": 2}
+    command = ["gmsh", "cube.msh", "-save", "-format", "msh22", "-o", "again.msh"]
+    assert subprocess.run(command, cwd=tmp_path, capture_output=True, timeout=60).returncode == 0
+    mesh = meshio.read(tmp_path / "again.msh")
+    groups = mesh.cell_data_dict["gmsh:physical"]["triangle"]
+    assert {name: (groups == mesh.field_data[name][0]).sum() for name in sizes} == sizes
+    face = meshio.read(tmp_path / "cube.msh").cell_data_dict["face"]["triangle"]
+    assert sorted(face.ravel().tolist()) == sorted(cube.triangle_faces.tolist())
+
+
 def test_gmsh_keeps_fields(cube, tmp_path):
     io.write_mesh(cube, tmp_path / "cube.msh")
     mesh = meshio.read(tmp_path / "cube.msh")
