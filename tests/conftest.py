@@ -27,8 +27,15 @@ def source_dir():
     return ROOT
 
 
+@pytest.fixture(scope="session")
+def own_namespace(build_dir):
+    """The first line of a program that imports FGMesh as its own programs do, without what else is in `freecad`."""
+    path = build_dir / "Mod" / "FGMesh" / "freecad" / "fgmesh" / "own_namespace.py"
+    return f"import runpy; runpy.run_path({str(path)!r})['install']()\n"
+
+
 @pytest.fixture
-def child_double(build_dir, tmp_path_factory):
+def child_double(own_namespace, tmp_path_factory):
     """A function: the command line of a meshing process that does `action` in place of meshing, or of another
     function of `core`. The names of `action` are control, the run's; asked, all arguments; real, the function
     that it replaces; some modules.
@@ -37,8 +44,7 @@ def child_double(build_dir, tmp_path_factory):
     def make(action, name="generate_mesh"):
         script = tmp_path_factory.mktemp("double") / "child.py"
         script.write_text(
-            "import ctypes, os, signal, sys, time\n"
-            f"sys.path.insert(0, {str(build_dir / 'Mod' / 'FGMesh')!r})\n"
+            f"{own_namespace}import ctypes, os, signal, sys, time\n"
             "import numpy as np\nfrom freecad.fgmesh import core\nfrom freecad.fgmesh.worker import child\n"
             f"real = core.{name}\n\ndef double(*asked):\n    control = asked[-1]\n"
             f"    {action}\n\n"

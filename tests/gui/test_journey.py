@@ -127,7 +127,7 @@ import os, subprocess
 import freecad.fgmesh as fgmesh
 
 def children():
-    return subprocess.run(["pgrep", "-P", str(os.getpid()), "-f", "freecad.fgmesh.worker"], capture_output=True).stdout.split()
+    return subprocess.run(["pgrep", "-P", str(os.getpid()), "-f", "fgmesh/worker/__main__.py"], capture_output=True).stdout.split()
 
 def start(name):
     document = FreeCAD.newDocument(name)

@@ -109,13 +109,13 @@ def least_jacobian(tmp_path):
 
 
 @pytest.fixture
-def changed_fgmesh(build_dir, tmp_path_factory):
+def changed_fgmesh(own_namespace, tmp_path_factory):
     """A function: a program, the command line after some lines of Python."""
 
     def make(lines):
         script = tmp_path_factory.mktemp("changed") / "fgmesh.py"
         script.write_text(
-            f"import sys\nsys.path.insert(0, {str(build_dir / 'Mod' / 'FGMesh')!r})\n{lines}\n"
+            f"{own_namespace}import sys\n{lines}\n"
             "from freecad.fgmesh.cli.main import main\nsys.exit(main())\n"
         )
         return sys.executable, "-P", script

@@ -30,6 +30,7 @@ LIBRARIES = {
 MODEL = {"adapter", "core", "mixing", "model"}
 PYTHON_LAYERS = {
     "adapter": set(),
+    "own_namespace": set(),
     "colours": set(),
     "sampled_table": {"_core"},
     "core": {"_core", "sampled_table"},
@@ -50,6 +51,7 @@ PYTHON_LAYERS = {
 """Module or folder of freecad/fgmesh/: the others that it may import."""
 
 WITHOUT_FREECAD = {
+    "own_namespace",
     "core",
     "sampled_table",
     "io",

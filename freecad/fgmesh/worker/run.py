@@ -221,7 +221,7 @@ class Run:
 
 def child_command():
     """The command line of the child, without the files' numbers."""
-    return [interpreter(), "-P", "-m", "freecad.fgmesh.worker"]
+    return [interpreter(), "-P", str(Path(__file__).resolve().with_name("__main__.py"))]
 
 
 def interpreter():
@@ -232,17 +232,9 @@ def interpreter():
 
 
 def _spawn(*files):
-    folder = str(Path(core.__file__).resolve().parents[2])
-    path = os.pathsep.join([folder, *filter(None, [os.environ.get("PYTHONPATH")])])
     pipe = subprocess.PIPE
-    return subprocess.Popen(
-        [*child_command(), *map(str, files)],
-        stdin=pipe,
-        stdout=pipe,
-        stderr=pipe,
-        pass_fds=files,
-        env={**os.environ, "PYTHONPATH": path},
-    )
+    command = [*child_command(), *map(str, files)]
+    return subprocess.Popen(command, stdin=pipe, stdout=pipe, stderr=pipe, pass_fds=files)
 
 
 def available_memory_mb():
