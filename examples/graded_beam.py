@@ -12,6 +12,7 @@ from pathlib import Path
 import FreeCAD
 
 import freecad.fgmesh as fgmesh
+from freecad.fgmesh.adapter import set_quantity
 
 LENGTH, WIDTH, HEIGHT = 100, 10, 8  # mm
 LOAD = 100  # N
@@ -54,21 +55,23 @@ def analyse(mesh, kind, mode, analysis=None):
         if face:
             constraint.References = [(beam, face)]
         for name, value in values.items():
-            setattr(constraint, name, value)
+            set_quantity(constraint, name, value)
         analysis.addObject(constraint)
+        return constraint
 
     root, end, lower, upper = "Face1", "Face2", "Face5", "Face6"
     constrain(ObjectsFem.makeConstraintFixed, root)
     if kind == "static":
-        constrain(ObjectsFem.makeConstraintForce, end, Force=LOAD, Direction=(beam, ["Edge1"]), Reversed=True)
+        force = constrain(ObjectsFem.makeConstraintForce, end, Force=f"{LOAD} N")
+        force.Direction, force.Reversed = (beam, ["Edge1"]), True
     elif kind == "buckling":
-        constrain(ObjectsFem.makeConstraintPressure, end, Pressure=1.0)
+        constrain(ObjectsFem.makeConstraintPressure, end, Pressure="1 MPa")
     elif kind == "frequency":
         solver.EigenmodesCount = 2
     elif kind == "thermomech":
-        constrain(ObjectsFem.makeConstraintInitialTemperature, None, initialTemperature=300)
+        constrain(ObjectsFem.makeConstraintInitialTemperature, None, initialTemperature="300 K")
         for face in (lower, upper):
-            constrain(ObjectsFem.makeConstraintTemperature, face, Temperature=300 + WARMER)
+            constrain(ObjectsFem.makeConstraintTemperature, face, Temperature=f"{300 + WARMER} K")
     document.recompute()
     return analysis, fgmesh.solve(analysis)
 

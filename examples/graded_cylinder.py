@@ -14,6 +14,8 @@ import Part
 from FreeCAD import Vector
 
 import freecad.fgmesh as fgmesh
+from freecad.fgmesh.adapter import hold, set_quantity
+from freecad.fgmesh.fem.result_fields import fields_of
 
 INNER, OUTER, HEIGHT = 10.0, 20.0, 1.5  # mm
 SOFT, POISSON, POWER = 1000.0, 0.3, 3  # E at r = a, MPa
@@ -64,18 +66,16 @@ def analyse(mesh):
     pressed.References = faces(
         lambda face: isinstance(face.Surface, Part.Cylinder) and face.Surface.Radius < OUTER
     )
-    pressed.Pressure = PRESSURE
+    set_quantity(pressed, "Pressure", f"{PRESSURE} MPa")
     analysis.addObject(pressed)
     for axis, length in (("x", "XLength"), ("y", "YLength"), ("z", "ZLength")):
         held = ObjectsFem.makeConstraintDisplacement(document, f"Hold{axis.upper()}")
         held.References = faces(lambda face: getattr(face.BoundBox, length) < 1e-6)
-        setattr(held, f"{axis}Free", False)
-        setattr(held, f"{axis}Fix", True)
+        hold(held, axis)
         analysis.addObject(held)
     document.recompute()
-    fgmesh.solve(analysis)
-    (pipeline,) = (thing for thing in document.Objects if thing.isDerivedFrom("Fem::FemPostPipeline"))
-    return pipeline
+    (result,) = fgmesh.solve(analysis)
+    return fields_of(result)
 
 
 def probe(pipeline, field):

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What all tests share: the built package on the path, FreeCAD's modules, the folder of the build."""
 import os
+import platform
+import shutil
 import sys
 from pathlib import Path
 
@@ -25,6 +27,36 @@ def build_dir():
 @pytest.fixture(scope="session")
 def source_dir():
     return ROOT
+
+
+@pytest.fixture(scope="session")
+def ccx():
+    """The path of CalculiX's solver. Debian 13 alone has no package of it: what needs it is skipped there."""
+    found = shutil.which("ccx")
+    if found is None and platform.freedesktop_os_release().get("VERSION_CODENAME") == "trixie":
+        pytest.skip("calculix-ccx is missing, which Debian 13 does not have")
+    return found
+
+
+@pytest.fixture
+def freecad_home(build_dir):
+    """A function: makes `home` that of a user who has FGMesh among the add-ons, or not, and these settings as user.cfg."""
+    import FreeCAD
+
+    major, minor = map(int, FreeCAD.Version()[:2])
+    version = f"v{major}-{minor}" if (major, minor) >= (1, 1) else ""
+
+    def make(home, with_workbench=True, settings=""):
+        mod = home / ".local" / "share" / "FreeCAD" / version / "Mod"
+        mod.mkdir(parents=True, exist_ok=True)
+        if with_workbench and not (mod / "FGMesh").exists():
+            (mod / "FGMesh").symlink_to(build_dir / "Mod" / "FGMesh")
+        if settings:
+            configured = home / ".config" / "FreeCAD" / version
+            configured.mkdir(parents=True, exist_ok=True)
+            (configured / "user.cfg").write_text(settings)
+
+    return make
 
 
 @pytest.fixture(scope="session")

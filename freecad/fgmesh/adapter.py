@@ -24,6 +24,55 @@ def make_standard_solver(document):
     return make(document)
 
 
+SOLVER_SETTINGS = {"Fem", "AnalysisType", "ElementModel", "Solver", "TimeIncrement"}
+"""Groups of the properties of a solver object that are its user's: the first in 0.20 and 1.0, the others since 1.1."""
+
+
+def solver_bases():
+    """Classes that a proxy of a solver object for CalculiX derives from: the one that knows its properties, which 1.1
+    has renamed and takes over from older documents; and the one that FreeCAD's own panel and Run button use, which
+    1.2 has no more.
+    """
+    properties = fem_module("femobjects.solver_ccxtools").SolverCcxTools
+    framework = _solver_framework()
+    return (properties, framework.Proxy) if framework else (properties,)
+
+
+def solver_view():
+    """Class of the view provider with FreeCAD's own panel for such a solver object; None since 1.2."""
+    framework = _solver_framework()
+    return framework and framework.ViewProxy
+
+
+def _solver_framework():
+    try:
+        return fem_module("femsolver.calculix.solver")
+    except ImportError:
+        return None
+
+
+_PLAIN_UNITS = {"Force": "N", "Pressure": "MPa", "Temperature": "K", "initialTemperature": "K"}
+
+
+def set_quantity(constraint, name, text):
+    """Gives a FEM constraint a value with its unit, as set_quantity(force, "Force", "100 N").
+
+    A plain number would count as mN, kPa in 1.x; 0.20 takes nothing else, and means N, MPa, K by it.
+    """
+    quantity = FreeCAD.Units.Quantity(text)
+    if constraint.getTypeIdOfProperty(name) == "App::PropertyFloat":
+        quantity = quantity.getValueAs(_PLAIN_UNITS[name]).Value
+    setattr(constraint, name, quantity)
+
+
+def hold(constraint, axes):
+    """Has a FEM constraint of displacements hold what it refers to along `axes`, as "xz"."""
+    for axis in axes:
+        setattr(constraint, f"{axis}Free", False)
+        if f"{axis}Fix" in constraint.PropertiesList:  # in 0.20
+            setattr(constraint, f"{axis}Fix", True)
+
+
 CARD_FOLDERS = ("Mod/Material/StandardMaterial", "Mod/Material/Resources/Materials")
 """Of FreeCAD's resources: where its material cards are in 0.20, in 1.x."""
 
@@ -39,6 +88,11 @@ def read_card(path):
         if material.Name in (stem, stem.replace("-", " ")):
             return {name: str(value) for name, value in material.Properties.items()}
     return {}
+
+
+def flag_number(flags):
+    """The number of flags or an enumerator of Qt's, which PySide2 turns into one by int(), PySide6 has as a value."""
+    return flags.value if hasattr(flags, "value") else int(flags)
 
 
 def _module_in(name, *folders):

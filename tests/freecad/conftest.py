@@ -114,7 +114,7 @@ def body(document, placement):
 
 
 @pytest.fixture
-def in_fresh_freecad(tmp_path, build_dir):
+def in_fresh_freecad(tmp_path, freecad_home):
     """Runs a script in a FreeCAD that was never started before, and returns what it leaves in `answer`.
 
     with_workbench   FGMesh is linked into the Mod folder of that FreeCAD's user
@@ -122,11 +122,7 @@ def in_fresh_freecad(tmp_path, build_dir):
 
     def run(script, with_workbench=True):
         home = tmp_path / ("home" if with_workbench else "home_without")
-        mod = home / ".local" / "share" / "FreeCAD" / "Mod"
-        mod.mkdir(parents=True, exist_ok=True)
-        link = mod / "FGMesh"
-        if with_workbench and not link.exists():
-            link.symlink_to(build_dir / "Mod" / "FGMesh")
+        freecad_home(home, with_workbench)
         answer_file = tmp_path / "answer.json"
         answer_file.unlink(missing_ok=True)
         macro = tmp_path / "macro.py"

@@ -10,6 +10,8 @@ import numpy as np
 import Part
 from FreeCAD import Vector
 
+from freecad.fgmesh import adapter
+
 
 class Bench:
     """A document with one graded solid, its mesh, and constraints on its parts, which are found by places on them."""
@@ -36,16 +38,16 @@ class Bench:
         constraint = getattr(ObjectsFem, f"makeConstraint{kind}")(self.document, kind)
         constraint.References = [(self.part, self._name(*place)) for place in places]
         for name, value in values.items():
-            setattr(constraint, name, value)
+            if isinstance(value, str):
+                adapter.set_quantity(constraint, name, value)
+            else:
+                setattr(constraint, name, value)
         self.constraints.append(constraint)
         return constraint
 
     def hold(self, axes, *places):
         """Displacements of 0 along `axes`, as "xz"."""
-        values = {}
-        for axis in axes:
-            values.update({f"{axis}Free": False, f"{axis}Fix": True})
-        self.constrain("Displacement", places, **values)
+        adapter.hold(self.constrain("Displacement", places), axes)
 
     def card(self, name, modulus, poisson):
         """Of a density and a conductivity proportional to its modulus."""
@@ -109,7 +111,7 @@ def patch_test(document, fgmesh, **options):
     formula = f"(1/(1 + {c}*x/{length}) - 1)/(1/(1 + {c}) - 1)"
     bench = Bench(document, fgmesh, shape, formula, (e0 / (1 + c), e0), nu, **options)
     for x in (0, length):
-        bench.constrain("Pressure", [("Face", (x, 0, 0))], Pressure=stress, Reversed=True)
+        bench.constrain("Pressure", [("Face", (x, 0, 0))], Pressure=f"{stress!r} MPa", Reversed=True)
     _hold_statically(bench, half)
 
     def displacement(points):
@@ -129,7 +131,7 @@ def exponential_bar(document, fgmesh, **options):
     shape = Part.makeBox(length, 2 * half, 2 * half, Vector(0, -half, -half))
     formula = f"(exp({beta!r}*x/{length}) - 1)/7"
     bench = Bench(document, fgmesh, shape, formula, (8 * e0, e0), 0.0, **options)
-    bench.constrain("Pressure", [("Face", (length, 0, 0))], Pressure=stress, Reversed=True)
+    bench.constrain("Pressure", [("Face", (length, 0, 0))], Pressure=f"{stress!r} MPa", Reversed=True)
     bench.hold("xyz", ("Face", (0, 0, 0)))
 
     def displacement(points):
@@ -158,7 +160,9 @@ def graded_strip(document, fgmesh, **options):
     # The integral of exp(b y) (bend y + stretch), of which the differences are the forces on the bands.
     forces = np.diff(np.exp(b * ends) * (bend * (b * ends - 1) / b**2 + stretch / b))
     for y, pull in zip((ends[1:] + ends[:-1]) / 2, forces / np.diff(ends)):
-        bench.constrain("Pressure", [("Face", (length, y, depth / 2))], Pressure=pull, Reversed=True)
+        bench.constrain(
+            "Pressure", [("Face", (length, y, depth / 2))], Pressure=f"{pull!r} MPa", Reversed=True
+        )
     bench.hold("x", ("Face", (0, width / 2, depth / 2)))
     bench.hold("xyz", ("Vertex", (0, 0, 0)))
     bench.hold("xz", ("Vertex", (0, width, 0)))
@@ -187,7 +191,7 @@ def thick_cylinder(document, fgmesh, **options):
     formula = f"((r/{a})^{beta} - 1)/({k}^{beta} - 1)"
     bench = Bench(document, fgmesh, shape, formula, (e0 * k**beta, e0), nu, **options)
     middle, diagonal = (a + b) / 2, a / math.sqrt(2)
-    bench.constrain("Pressure", [("Face", (diagonal, diagonal, height / 2))], Pressure=p)
+    bench.constrain("Pressure", [("Face", (diagonal, diagonal, height / 2))], Pressure=f"{p!r} MPa")
     bench.hold(
         "z",
         ("Face", (middle / 2**0.5, middle / 2**0.5, 0)),
@@ -212,9 +216,9 @@ def conduction(document, fgmesh, **options):
         document, fgmesh, shape, f"(exp({beta!r}*x/{length}) - 1)/7", (8000.0, 1000.0), 0.3, **options
     )
     bench.kind = "thermomech"
-    bench.constrain("Temperature", [("Face", (0, 0, 0))], Temperature=0.0)
-    bench.constrain("Temperature", [("Face", (length, 0, 0))], Temperature=hot)
-    bench.constrain("InitialTemperature", [], initialTemperature=0.0)
+    bench.constrain("Temperature", [("Face", (0, 0, 0))], Temperature="0 K")
+    bench.constrain("Temperature", [("Face", (length, 0, 0))], Temperature=f"{hot!r} K")
+    bench.constrain("InitialTemperature", [], initialTemperature="0 K")
     bench.hold("xyz", ("Face", (0, 0, 0)))
 
     def temperature(points):

@@ -10,6 +10,8 @@ import pytest
 
 from FreeCAD import Vector
 
+from freecad.fgmesh import adapter
+
 CORNERS_OF_SIDES = {1: (0, 1, 2), 2: (0, 3, 1), 3: (1, 3, 2), 4: (2, 3, 0)}
 """Corners of the sides P1 to P4 (CalculiX manual, "Four-node tetrahedral element")."""
 
@@ -31,14 +33,18 @@ def analysis(document, fgmesh):
         group = ObjectsFem.makeAnalysis(document, "Analysis")
         steel = ObjectsFem.makeMaterialSolid(document, "Steel")
         steel.Material = {"Name": "Steel", "YoungsModulus": "1000 MPa", "PoissonRatio": "0.3"}
-        group.addObjects([ObjectsFem.makeSolverCalculixCcxTools(document), steel, mesh])
+        group.addObjects([adapter.make_standard_solver(document), steel, mesh])
 
         def constrain(kind, face, **values):
             constraint = getattr(ObjectsFem, f"makeConstraint{kind}")(document, kind)
             constraint.References = [(part, face)]
             for name, value in values.items():
-                setattr(constraint, name, value)
+                if isinstance(value, str):
+                    adapter.set_quantity(constraint, name, value)
+                else:
+                    setattr(constraint, name, value)
             group.addObject(constraint)
+            return constraint
 
         return group, mesh, constrain
 
@@ -79,19 +85,19 @@ def test_the_deck_loads_and_holds_the_faces_that_were_chosen(second_order, analy
     """A cylinder between half a ball, which is held, and a cone, which is pulled; pressure on the cylinder."""
     half = Part.makeSphere(5, Vector(), Vector(0, 0, 1), -90, 0)
     shape = half.fuse(Part.makeCylinder(5, 8)).fuse(Part.makeCone(5, 0, 4, Vector(0, 0, 8))).removeSplitter()
-    kinds = [face.Surface.TypeId for face in shape.Faces]
-    assert kinds == ["Part::GeomCone", "Part::GeomCylinder", "Part::GeomSphere"]
+    names = {face.Surface.TypeId[10:]: f"Face{n}" for n, face in enumerate(shape.Faces, 1)}
+    cone, cylinder, ball = names["Cone"], names["Cylinder"], names["Sphere"]
     options = {"SecondOrder": second_order, "MaxSize": 3, "SurfaceDeviation": 0.04}
     group, mesh, constrain = analysis(shape, placement, **options)
-    constrain("Fixed", "Face3")
-    constrain("Force", "Face1", Force=100)
-    constrain("Pressure", "Face2", Pressure=3)
+    constrain("Fixed", ball)
+    constrain("Force", cone, Force="100 N")
+    constrain("Pressure", cylinder, Pressure="3 MPa")
     tool = prepared(group, tmp_path)
     with open(tool.inp_file_name) as file:
         deck = blocks(file.read())
     fem = mesh.FemMesh
 
-    assert sorted(int(row[0]) for row in deck["*NSET,NSET=FIXED"]) == sorted(members(fem, "Face3_Nodes"))
+    assert sorted(int(row[0]) for row in deck["*NSET,NSET=FIXED"]) == sorted(members(fem, f"{ball}_Nodes"))
 
     forces = np.zeros(3)
     for node, axis, value in deck["*CLOAD"]:
@@ -100,7 +106,7 @@ def test_the_deck_loads_and_holds_the_faces_that_were_chosen(second_order, analy
         100, rel=0.02
     )  # facets have a little less area than the cone
     loaded = {int(row[0]) for row in deck["*CLOAD"]}
-    on_cone = set(members(fem, "Face1_Nodes"))
+    on_cone = set(members(fem, f"{cone}_Nodes"))
     assert loaded <= on_cone
     if not second_order:
         assert loaded == on_cone
@@ -115,10 +121,11 @@ def test_the_deck_loads_and_holds_the_faces_that_were_chosen(second_order, analy
         frozenset(corners[int(element)][i] for i in CORNERS_OF_SIDES[int(side[1])])
         for element, side, value in deck["*DLOAD"]
     ]
-    facets = [frozenset(fem.getElementNodes(facet)[:3]) for facet in members(fem, "Face2")]
+    facets = [frozenset(fem.getElementNodes(facet)[:3]) for facet in members(fem, cylinder)]
     assert sorted(map(sorted, pressed)) == sorted(map(sorted, facets))
 
 
+@pytest.mark.usefixtures("ccx")
 @pytest.mark.parametrize("second_order", [False, True])
 def test_a_bar_under_tension(second_order, analysis, tmp_path):
     """u = s x / E along the bar and -nu s y / E across it: linear, so any sound mesh gives it exactly."""
@@ -126,8 +133,8 @@ def test_a_bar_under_tension(second_order, analysis, tmp_path):
     names = {tuple(face.CenterOfMass): f"Face{n}" for n, face in enumerate(shape.Faces, 1)}
     group, mesh, constrain = analysis(shape, FreeCAD.Placement(), SecondOrder=second_order, MaxSize=6)
     for axis, centre in (("x", (0, 5, 5)), ("y", (25, 0, 5)), ("z", (25, 5, 0))):
-        constrain("Displacement", names[centre], **{f"{axis}Free": False, f"{axis}Fix": True})
-    constrain("Pressure", names[50, 5, 5], Pressure=20, Reversed=True)
+        adapter.hold(constrain("Displacement", names[centre]), axis)
+    constrain("Pressure", names[50, 5, 5], Pressure="20 MPa", Reversed=True)
     tool = prepared(group, tmp_path)
     assert tool.ccx_run() == 0
     tool.load_results()

@@ -7,6 +7,8 @@ import FreeCAD
 import numpy as np
 import pytest
 
+pytestmark = pytest.mark.usefixtures("ccx")
+
 SIZE = {
     "patch_test": 0.4,
     "exponential_bar": 0.5,

@@ -82,6 +82,7 @@ def assert_facets_lie_on_their_faces(read, box):
     assert list(areas.values()) == pytest.approx([face.Area for face in box.Faces])
 
 
+@pytest.mark.usefixtures("ccx")
 @pytest.mark.parametrize("second_order", [False, True])
 def test_models_for_decks(second_order, bar, fgmesh, tmp_path, export_properties):
     """The .inp is read by meshio, and CalculiX solves the deck that it is completed to; its bins are within the allowed

@@ -1,12 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Making, completing and solving graded analyses; what becomes of them when something changes; wrong use."""
+import importlib
+import json
 import re
 import shutil
+import sys
 
 import exact_problems
 import FreeCAD
 import numpy as np
 import pytest
+
+from freecad.fgmesh import adapter
 
 
 def graded_of(analysis):
@@ -47,6 +52,7 @@ def test_completing_keeps_what_the_user_has_made(analysis, bar, fgmesh):
     assert all(one in made.Group for one in bar.constraints)
 
 
+@pytest.mark.usefixtures("ccx")
 def test_materials_follow_a_new_mesh(analysis, bar, fgmesh):
     made = analysis(bins=6)
     before = tip(fgmesh.solve(made)[0])
@@ -80,6 +86,54 @@ def test_a_changed_card_or_law_is_told(analysis, bar, fgmesh, core):
     graded.touch()
     bar.document.recompute()
     assert graded.Status == "out of date: a material card was changed"
+
+
+def test_the_same_card_in_other_units_is_none_that_was_changed(analysis, bar):
+    """FreeCAD 0.20 writes "8000.0 MPa" where 1.x writes "8e+06 kg/(mm*s^2)"."""
+    graded = graded_of(analysis())
+    hard = bar.document.getObject("Hard")
+    assert hard.Material["YoungsModulus"] == "8000.0 MPa"
+    hard.Material = {
+        **hard.Material,
+        "YoungsModulus": "8e+06 kg/(mm*s^2)",
+        "Density": "8e-06 kg/mm^3",
+        "SpecificHeat": "5e+08 mm^2/(s^2*K)",
+    }
+    graded.touch()
+    bar.document.recompute()
+    assert graded.Status == "ok"
+
+
+def test_materials_that_an_earlier_release_has_made_stay_valid(analysis, bar):
+    """It kept a hash of the cards' texts."""
+    graded = graded_of(analysis())
+    kept = json.loads(graded.MadeFrom)
+    del kept["properties"]
+    kept["cards"] = "cc56bb3eab35ad20d824dc4a3fda895ad2dd3acac7958b9e8ca9a6579f67d710"
+    graded.MadeFrom = json.dumps(kept)
+    graded.touch()
+    bar.document.recompute()
+    assert graded.Status == "ok"
+    hard = bar.document.getObject("Hard")
+    hard.Material = {**hard.Material, "YoungsModulus": "9000 MPa"}
+    graded.touch()
+    bar.document.recompute()
+    assert graded.Status == "out of date: a material card was changed"
+
+
+def test_the_continuous_mode_without_a_framework_for_solvers(bar, fgmesh, monkeypatch, tmp_path):
+    """FreeCAD 1.2 has no module of that name: there the solver object is solved by solve() alone."""
+    properties = adapter.solver_bases()[0]
+    monkeypatch.setitem(sys.modules, "femsolver.calculix.solver", None)
+    assert adapter.solver_bases() == (properties,) and adapter.solver_view() is None
+    for name in ("graded_solver", "solving", "graded_machine"):
+        monkeypatch.delitem(sys.modules, f"freecad.fgmesh.fem.{name}", raising=False)
+    made = fgmesh.make_analysis(bar.mesh, mode="continuous")
+    made.addObjects(bar.constraints)
+    bar.document.recompute()
+    solving = importlib.import_module("freecad.fgmesh.fem.solving")
+    deck = solving.write_deck(made, tmp_path).read_text()
+    assert "TYPE=TEMPERATURE" in deck
 
 
 def test_undo_is_one_step(bar, fgmesh):
@@ -121,6 +175,7 @@ def test_a_graded_material_takes_the_place_of_a_lost_mesh(analysis, bar, fgmesh)
     assert (graded_of(made).Status, graded_of(made).Mesh) == ("ok", other)
 
 
+@pytest.mark.usefixtures("ccx")
 def test_frequencies_of_both_modes_are_close(analysis, bar, fgmesh):
     """Bins and continuous are two ways to the same; the first frequencies of a bar of 1:8 in modulus."""
     frequencies = []
@@ -256,6 +311,7 @@ def test_missing_calculix_is_told(analysis, fgmesh, monkeypatch):
         fgmesh.solve(made)
 
 
+@pytest.mark.usefixtures("ccx")
 def test_words_of_calculix_are_told(analysis, core, tmp_path):
     """Elements without a material."""
     from freecad.fgmesh.fem import solving
@@ -267,6 +323,7 @@ def test_words_of_calculix_are_told(analysis, core, tmp_path):
     assert "CalculiX" in told.value.log
 
 
+@pytest.mark.usefixtures("ccx")
 def test_a_cancelled_run_leaves_the_results_of_before(analysis, bar, fgmesh, core):
     made = analysis()
     (before,) = fgmesh.solve(made)
@@ -285,6 +342,7 @@ def test_thermal_analysis_needs_bins(analysis, bar, fgmesh, core):
         fgmesh.solve(made)
 
 
+@pytest.mark.usefixtures("ccx")
 def test_saved_analyses_open_and_solve_again(analysis, bar, tmp_path, in_fresh_freecad):
     """Both kinds of solver object come back, in a FreeCAD that never saw them."""
     made = analysis(mode="continuous")
@@ -302,6 +360,7 @@ answer = max(vector.x for vector in result.DisplacementVectors)
     assert answer == pytest.approx(0.420786054, rel=0.03)
 
 
+@pytest.mark.usefixtures("ccx")
 def test_the_solver_runs_as_the_fem_workbench_runs_it(analysis, bar):
     """By the machine behind the Run button."""
     from femsolver.run import run_fem_solver
@@ -313,6 +372,7 @@ def test_the_solver_runs_as_the_fem_workbench_runs_it(analysis, bar):
     assert tip(result) == pytest.approx(0.420786054, rel=0.03)
 
 
+@pytest.mark.usefixtures("ccx")
 def test_two_solids_with_materials_of_their_own(document, fgmesh, core):
     """Boxes end to end under tension: each stretches as its own modulus has it. Where the fraction jumps between
     them, the continuous mode refuses."""
@@ -340,7 +400,8 @@ def test_two_solids_with_materials_of_their_own(document, fgmesh, core):
     held = ObjectsFem.makeConstraintFixed(document, "Held")
     held.References = [(both, faces[0.0])]
     pull = ObjectsFem.makeConstraintPressure(document, "Pull")
-    pull.References, pull.Pressure, pull.Reversed = [(both, faces[10.0])], 8.0, True
+    pull.References, pull.Reversed = [(both, faces[10.0])], True
+    adapter.set_quantity(pull, "Pressure", "8 MPa")
     analysis.addObjects([held, pull])
     document.recompute()
     (result,) = fgmesh.solve(analysis)
@@ -349,6 +410,7 @@ def test_two_solids_with_materials_of_their_own(document, fgmesh, core):
         fgmesh.make_analysis(mesh, mode="continuous", analysis=analysis)
 
 
+@pytest.mark.usefixtures("ccx")
 def test_fractions_and_properties_are_fields_of_the_results(analysis, bar, fgmesh, tmp_path):
     """E = 1000 exp(ln 8 x/L) along the axis, probed by FreeCAD's own filter."""
     made = analysis(mode="continuous")

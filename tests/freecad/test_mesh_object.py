@@ -2,7 +2,6 @@
 """make_mesh and generate: the mesh in the document, its groups and figures."""
 import json
 import math
-import shutil
 import subprocess
 
 import FreeCAD
@@ -141,7 +140,6 @@ def calculix(mesh, folder, output):
     """Elements as FreeCAD writes them, a load on one node; gives what CalculiX prints to its .dat file.
 
     A tetrahedron numbered in the wrong sense has a non-positive Jacobian."""
-    assert shutil.which("ccx")
     mesh.FemMesh.writeABAQUS(str(folder / "mesh.inp"), 1, False)
     (folder / "deck.inp").write_text(
         "*INCLUDE, INPUT=mesh.inp\n*MATERIAL, NAME=M\n*ELASTIC\n1000, 0.3\n"
@@ -154,6 +152,7 @@ def calculix(mesh, folder, output):
     return (folder / "deck.dat").read_text()
 
 
+@pytest.mark.usefixtures("ccx")
 def test_calculix_takes_the_elements(mesh, tmp_path):
     assert calculix(mesh, tmp_path, "*NODE PRINT, NSET=Nall\nU")
 
@@ -175,6 +174,7 @@ def test_curved_faces(document, placement, fgmesh):
     assert np.hypot(own[:, 0], own[:, 1]) == pytest.approx(5, abs=1e-7)
 
 
+@pytest.mark.usefixtures("ccx")
 def test_second_order(document, placement, fgmesh, tmp_path):
     cylinder = document.addObject("Part::Cylinder", "Cylinder")
     cylinder.Radius, cylinder.Height, cylinder.Placement = 5, 8, placement

@@ -48,18 +48,12 @@ def _add_entry(group, name, value):
 
 
 @pytest.fixture
-def run_freecad(tmp_path, build_dir):
+def run_freecad(tmp_path, freecad_home):
     """A function: runs a macro in a FreeCAD with FGMesh in its Mod folder; gives what the program wrote."""
 
     def run(macro, screen=SCREEN, settings="", **environment):
         home = tmp_path / "home"
-        mod = home / ".local" / "share" / "FreeCAD" / "Mod"
-        mod.mkdir(parents=True, exist_ok=True)
-        if not (mod / "FGMesh").exists():
-            (mod / "FGMesh").symlink_to(build_dir / "Mod" / "FGMesh")
-        if settings:
-            (home / ".config" / "FreeCAD").mkdir(parents=True, exist_ok=True)
-            (home / ".config" / "FreeCAD" / "user.cfg").write_text(settings)
+        freecad_home(home, settings=settings)
         path = tmp_path / "macro.py"
         path.write_text(macro)
         # The start page's browser refuses to run as root inside its sandbox.

@@ -220,7 +220,9 @@ def record_macro(name):
 
 
 def stop_recording():
-    FreeCADGui.runCommand("Std_MacroStopRecord")
+    # Since 1.1 the command that starts the recorder stops it, too.
+    stop, both = "Std_MacroStopRecord", "Std_DlgMacroRecord"
+    FreeCADGui.runCommand(stop if stop in FreeCADGui.listCommands() else both)
 
 
 def fresh_view(document):

@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """From a mesh to an analysis by mouse, and on with the FEM workbench's own buttons."""
+import pytest
 
 PUSHED = """
 import ObjectsFem
+from freecad.fgmesh import adapter
 fixed = ObjectsFem.makeConstraintFixed(document, "Held")
 fixed.References = [(part, "Face5")]
 push = ObjectsFem.makeConstraintPressure(document, "Push")
-push.References, push.Pressure = [(part, "Face6")], 10
+push.References = [(part, "Face6")]
+adapter.set_quantity(push, "Pressure", "10 MPa")
 analysis.addObjects([fixed, push])
 document.recompute()
 solver = next(one for one in analysis.Group if hasattr(one, "AnalysisType"))
@@ -20,6 +23,7 @@ moved = min(vector.z for vector in result.DisplacementVectors)
 """10 MPa on the box, by the Run button: how far it moves."""
 
 
+@pytest.mark.usefixtures("ccx")
 def test_an_analysis_is_made_constrained_and_solved(drive, meshed_box):
     answer = drive(
         meshed_box
@@ -62,6 +66,7 @@ return made
     assert -10 / 70000 * 30 < answer["moved"] < -10 / 210000 * 30
 
 
+@pytest.mark.usefixtures("ccx")
 def test_the_continuous_mode_by_mouse_runs_from_the_fem_workbench(drive, meshed_box):
     answer = drive(
         meshed_box

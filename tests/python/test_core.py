@@ -122,7 +122,10 @@ def test_neither_freecad_nor_qt_nor_meshio_is_loaded(own_namespace):
         "names = ('FreeCAD', 'PySide2', 'PySide6', 'meshio', 'vtkmodules')\n"
         "print([name for name in names if name in sys.modules])"
     )
-    assert subprocess.run([sys.executable, "-P", "-c", code], capture_output=True, text=True, check=True).stdout == "[]\n"
+    assert (
+        subprocess.run([sys.executable, "-P", "-c", code], capture_output=True, text=True, check=True).stdout
+        == "[]\n"
+    )
 
 
 def test_missing_extension_tells_how_to_build(source_dir):

@@ -200,6 +200,7 @@ def calculix(folder, deck):
 MATERIAL = "*MATERIAL, NAME=Steel\n*ELASTIC\n1000., 0.25\n*SOLID SECTION, ELSET=Solid1, MATERIAL=Steel\n"
 
 
+@pytest.mark.usefixtures("ccx")
 def test_inp_in_calculix(any_cube, tmp_path):
     """A bar under tension: u_x = s x / E, u_y = -nu s y / E, which tetrahedra give exactly."""
     io.write_mesh(any_cube, tmp_path / "cube.inp")
@@ -296,6 +297,7 @@ def test_ten_nodes_of_unv_in_freecad(bent_cube10, tmp_path):
     assert sorted(nodes) == list(np.flatnonzero(bent_cube10.points[:, 0] == 2) + 1) and len(nodes) == 25
 
 
+@pytest.mark.usefixtures("ccx")
 def test_ten_nodes_in_calculix(bent_cube10, tmp_path):
     io.write_mesh(bent_cube10, tmp_path / "cube.inp")
     lines = calculix(

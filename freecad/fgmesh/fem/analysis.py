@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A FEM analysis of a graded mesh, as FreeCAD's FEM workbench knows it."""
 from freecad.fgmesh import core
-from freecad.fgmesh.adapter import fem_module, make_standard_solver
+from freecad.fgmesh.adapter import SOLVER_SETTINGS, fem_module, make_standard_solver
 from freecad.fgmesh.fem.graded_fields import check_current
 from freecad.fgmesh.fem.graded_material import (
     Request,
@@ -101,7 +101,7 @@ def _provide_solver(analysis, mode):
         new = make(analysis.Document)
         for solver in others[:1]:
             for name in new.PropertiesList:
-                if new.getGroupOfProperty(name) == "Fem" and name in solver.PropertiesList:
+                if new.getGroupOfProperty(name) in SOLVER_SETTINGS and name in solver.PropertiesList:
                     setattr(new, name, getattr(solver, name))
         analysis.addObject(new)
     for solver in others:

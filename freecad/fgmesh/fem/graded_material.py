@@ -3,6 +3,7 @@
 the solver, and that keeps the material objects and the mesh groups from which FreeCAD writes decks."""
 import hashlib
 import json
+import math
 from typing import NamedTuple
 
 import FreeCAD
@@ -19,6 +20,8 @@ from freecad.fgmesh.model.stateless import Stateless
 MODES = ["bins", "continuous"]
 _LAW = "{}Law"
 _GROUP = "{}_Elements"
+_SAME = 1e-9
+"""Relative difference of numbers that stand for the same card."""
 _OUTPUT = 8  # Prop_Output, as in mesh_object
 _NOT_MADE = "out of date: no materials have been made yet"
 _RESULTS = (
@@ -166,28 +169,53 @@ def _status(graded):
     if None in graded.Materials or len(graded.Materials) != graded.BinCount:
         return "out of date: some of its materials are gone"
     before, now = json.loads(graded.MadeFrom), _made_from(graded)
-    words = {
-        "mesh": "the mesh is another one",
-        "request": "modes, bins or laws were changed",
-        "cards": "a material card was changed",
-    }
-    changed = [words[name] for name in words if before.get(name) != now[name]]
-    return "out of date: " + "; ".join(changed) if changed else "ok"
+    found = []
+    if before.get("mesh") != now["mesh"]:
+        found.append("the mesh is another one")
+    if before.get("request") != now["request"]:
+        found.append("modes, bins or laws were changed")
+    if not _same_cards(before, now, graded):
+        found.append("a material card was changed")
+    return "out of date: " + "; ".join(found) if found else "ok"
 
 
 def _made_from(graded):
-    solid = graded.Mesh.Shape
-    owners = [owner for owner, _ in graded_parts(solid)] if solid is not None else []
-    cards = [
-        [name, sorted(constituents.properties(name, owner.Document).items())]
-        for owner in owners
-        for name in getattr(owner, "FGMConstituents", [])
-    ]
     return {
         "mesh": graded.Mesh.Fingerprint,
         "request": list(request_of(graded)),
-        "cards": hashlib.sha256(repr(cards).encode()).hexdigest(),
+        "properties": [[name, _numbers(card)] for name, card in _cards(graded)],
     }
+
+
+def _cards(graded):
+    """[(name, {property: text})] of all constituents."""
+    solid = graded.Mesh.Shape
+    owners = [owner for owner, _ in graded_parts(solid)] if solid is not None else []
+    names = [(name, owner) for owner in owners for name in getattr(owner, "FGMConstituents", [])]
+    return [(name, constituents.properties(name, owner.Document)) for name, owner in names]
+
+
+def _numbers(card):
+    return {name: constituents.number_in(card.get(name), unit) for name, unit in constituents.UNITS.items()}
+
+
+def _same_cards(before, now, graded):
+    """Numbers are compared, for each FreeCAD writes the same card with other digits and units."""
+    if "properties" not in before:  # made by a FGMesh that kept a hash of the texts
+        texts = [[name, sorted(card.items())] for name, card in _cards(graded)]
+        return before.get("cards") == hashlib.sha256(repr(texts).encode()).hexdigest()
+    old, new = before["properties"], now["properties"]
+    return [name for name, _ in old] == [name for name, _ in new] and all(
+        _same_number(was.get(name), value)
+        for (_, was), (_, numbers) in zip(old, new)
+        for name, value in numbers.items()
+    )
+
+
+def _same_number(before, now):
+    if before is None or now is None:
+        return before is now
+    return math.isclose(before, now, rel_tol=_SAME)
 
 
 def _one_for_each_region(fields, properties, laws):

@@ -12,8 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from freecad.fgmesh import core
-from freecad.fgmesh.adapter import fem_module
-from freecad.fgmesh.fem.deck_names import check_names
+from freecad.fgmesh.adapter import solver_bases
 from freecad.fgmesh.fem.graded_fields import graded_mesh
 from freecad.fgmesh.fem.graded_material import check_filled, is_graded_material, request_of
 from freecad.fgmesh.io.deck_numbers import deck_number
@@ -27,58 +26,33 @@ _TABLE_ERROR = 1e-5
 _ANALYSES = ("static", "frequency", "buckling", "check")
 _PROPERTIES = (("*ELASTIC", ("YoungsModulus", "PoissonRatio")), ("*DENSITY", ("Density",)))
 
-tasks = fem_module("femsolver.calculix.tasks")
-run = fem_module("femsolver.run")
 
-
-class GradedSolver(fem_module("femsolver.calculix.solver").Proxy):
+class GradedSolver(*solver_bases()):
     """The proxy: FreeCAD's solver object for CalculiX, but for the deck."""
+
+    # By this FreeCAD asks for a machine, where its own solver object would be solved without one.
+    Type = "Fem::SolverCalculix"
+
+    def __init__(self, solver):
+        super().__init__(solver)
+        solver.Proxy = self
 
     def onDocumentRestored(self, solver):
         super().onDocumentRestored(solver)
         presentation.show_graded_solver(solver)
 
     def createMachine(self, solver, directory, testmode=False):
-        return run.Machine(
-            solver=solver,
-            directory=directory,
-            check=Check(),
-            prepare=Prepare(),
-            solve=tasks.Solve(),
-            results=tasks.Results(),
-            testmode=testmode,
-        )
+        # Only here: FreeCAD 1.2 has no such machines.
+        from freecad.fgmesh.fem.graded_machine import make_machine
 
-
-class Check(tasks.Check):
-    def run(self):
-        super().run()
-        try:
-            check_analysis(self.analysis, self.solver)
-            check_names(self.analysis)
-        except core.Error as error:
-            self.report.error(f"{error}\n")
-            self.fail()
-
-
-class Prepare(tasks.Prepare):
-    def run(self):
-        super().run()
-        decks = list(Path(self.directory).glob("*.inp"))
-        if self.failed or not decks:
-            return
-        try:
-            for deck in decks:
-                grade_deck(deck, self.analysis)
-        except core.Error as error:
-            self.report.error(f"{error}\n")
-            self.fail()
+        return make_machine(solver, directory, testmode)
 
 
 def make_graded_solver(document, name="GradedSolver"):
     """A new solver object."""
     solver = document.addObject("Fem::FemSolverObjectPython", name)
     GradedSolver(solver)
+    solver.addExtension("App::GroupExtensionPython")  # as the view provider with FreeCAD's panel expects
     presentation.show_graded_solver(solver)
     return solver
 

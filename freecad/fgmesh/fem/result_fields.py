@@ -21,8 +21,6 @@ def add_fields(result):
     At an interface, where they may jump, a node has the values of one of the solids. Returns the pipeline, which
     is in the analysis. One undo step. Raises core.InvalidInput where the result is not that of the mesh as it is.
     """
-    import meshio
-
     analysis = result.getParentGroup()
     graded = next(filter(is_graded_material, analysis.Group if analysis else []), None)
     if graded is None:
@@ -33,9 +31,7 @@ def add_fields(result):
     with tempfile.TemporaryDirectory() as folder:
         path = str(Path(folder) / "result.vtu")
         Fem.writeResult(path, result)
-        mesh = meshio.read(path)
-        mesh.point_data.update(fields.at_nodes(request_of(graded).laws()))
-        mesh.write(path)
+        _add_point_data(path, fields.at_nodes(request_of(graded).laws()))
         with transaction(result.Document, "Add graded fields"):
             remove_fields(analysis, result)
             pipeline = result.Document.addObject("Fem::FemPostPipeline", f"{result.Name}_Fields")
@@ -46,6 +42,31 @@ def add_fields(result):
             pipeline.read(path)
             analysis.addObject(pipeline)
     return pipeline
+
+
+def _add_point_data(path, values):
+    """Adds {name: (n,)} to the .vtu file at `path`. By VTK: others do not read every file that FreeCAD writes."""
+    from vtkmodules.util.numpy_support import numpy_to_vtk
+    from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader, vtkXMLUnstructuredGridWriter
+
+    reader = vtkXMLUnstructuredGridReader()
+    reader.SetFileName(path)
+    reader.Update()
+    grid = reader.GetOutput()
+    for name, column in values.items():
+        array = numpy_to_vtk(column, deep=True)
+        array.SetName(name)
+        grid.GetPointData().AddArray(array)
+    writer = vtkXMLUnstructuredGridWriter()
+    writer.SetFileName(path)
+    writer.SetInputData(grid)
+    if not writer.Write():
+        raise core.Error(f"{path} cannot be written: is the disk full?")
+
+
+def fields_of(result):
+    """The pipeline that add_fields() has made of `result`; None where there is none."""
+    return next((one for one in result.Document.Objects if getattr(one, _RESULT, None) == result), None)
 
 
 def remove_fields(analysis, result=None):

@@ -6,7 +6,7 @@ from PySide import QtCore, QtGui
 from freecad.fgmesh import core, mixing
 from freecad.fgmesh.fem.analysis import analyses_for
 from freecad.fgmesh.fem.bins import MOST
-from freecad.fgmesh.adapter import fem_module
+from freecad.fgmesh.adapter import fem_module, flag_number
 from freecad.fgmesh.fem.graded_fields import graded_mesh
 from freecad.fgmesh.fem.graded_material import MODES, Request, graded_materials, plan, request_of
 from freecad.fgmesh.model.macro_text import document_text, object_text
@@ -45,7 +45,7 @@ class AnalysisPanel:
     # What FreeCAD asks of a panel.
 
     def getStandardButtons(self):
-        return int(QtGui.QDialogButtonBox.Ok | QtGui.QDialogButtonBox.Cancel)
+        return flag_number(QtGui.QDialogButtonBox.Ok | QtGui.QDialogButtonBox.Cancel)
 
     def accept(self):
         try:

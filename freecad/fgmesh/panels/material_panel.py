@@ -7,6 +7,7 @@ import numpy as np
 from PySide import QtCore, QtGui
 
 from freecad.fgmesh import core
+from freecad.fgmesh.adapter import flag_number
 from freecad.fgmesh.model import constituents, gradings, preferences
 from freecad.fgmesh.model.macro_text import document_text
 from freecad.fgmesh.model.material_draft import MaterialDraft
@@ -53,7 +54,7 @@ class MaterialPanel:
     # What FreeCAD asks of a panel.
 
     def getStandardButtons(self):
-        return int(QtGui.QDialogButtonBox.Ok | QtGui.QDialogButtonBox.Cancel)
+        return flag_number(QtGui.QDialogButtonBox.Ok | QtGui.QDialogButtonBox.Cancel)
 
     def accept(self):
         if self._undefined:

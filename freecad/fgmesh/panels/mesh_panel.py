@@ -7,6 +7,7 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from freecad.fgmesh import core
+from freecad.fgmesh.adapter import flag_number
 from freecad.fgmesh.fem import background
 from freecad.fgmesh.model import mesh_object, options, preferences
 from freecad.fgmesh.model.macro_text import document_text, object_text
@@ -68,7 +69,7 @@ class MeshPanel:
     # What FreeCAD asks of a panel.
 
     def getStandardButtons(self):
-        return int(QtGui.QDialogButtonBox.Close)
+        return flag_number(QtGui.QDialogButtonBox.Close)
 
     def reject(self):
         self.runner.cancel()

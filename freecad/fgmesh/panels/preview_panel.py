@@ -5,6 +5,7 @@ import numpy as np
 from PySide import QtGui
 
 from freecad.fgmesh import core
+from freecad.fgmesh.adapter import flag_number
 from freecad.fgmesh.model.graded_parts import graded_parts, materials_of
 from freecad.fgmesh.panels.message_label import MessageLabel
 from freecad.fgmesh.panels.preview_box import PreviewBox, range_text
@@ -35,7 +36,7 @@ class PreviewPanel:
         self._show()
 
     def getStandardButtons(self):
-        return int(QtGui.QDialogButtonBox.Close)
+        return flag_number(QtGui.QDialogButtonBox.Close)
 
     def reject(self):
         self.preview.close_preview()

@@ -7,6 +7,7 @@ import numpy as np
 from PySide import QtCore, QtGui
 
 from freecad.fgmesh import pictures
+from freecad.fgmesh.adapter import flag_number
 from freecad.fgmesh.fem.fem_mesh import points_and_tets
 from freecad.fgmesh.io import stage_rows, write_report_table
 from freecad.fgmesh.model.mesh_object import fractions_of
@@ -78,7 +79,7 @@ class ReportPanel:
     # What FreeCAD asks of a panel.
 
     def getStandardButtons(self):
-        return int(QtGui.QDialogButtonBox.Close)
+        return flag_number(QtGui.QDialogButtonBox.Close)
 
     def reject(self):
         if self._was_coloured:
@@ -150,7 +151,7 @@ class ReportPanel:
             for column, text in enumerate([translate(FIGURES[title]), *texts]):
                 item = QtGui.QTableWidgetItem(text)
                 if column:
-                    item.setTextAlignment(int(QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter))
+                    item.setTextAlignment(flag_number(QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter))
                 table.setItem(row, column, item)
         for header in (table.horizontalHeader(), table.verticalHeader()):
             header.setSectionResizeMode(QtGui.QHeaderView.ResizeToContents)

@@ -3,7 +3,7 @@
 import FreeCADGui
 from PySide import QtGui
 
-from freecad.fgmesh.adapter import fem_module
+from freecad.fgmesh.adapter import solver_view
 from freecad.fgmesh.model.stateless import Stateless
 from freecad.fgmesh.view import icon
 from freecad.fgmesh.view.double_click import run_on
@@ -51,10 +51,31 @@ def show_graded_material(graded):
         GradedMaterialView(view)
 
 
+class GradedSolverView(Stateless):
+    """Where FreeCAD has no panel for a solver of ours: a double click solves."""
+
+    def __init__(self, view):
+        view.Proxy = self
+
+    def doubleClicked(self, view):
+        _solve(view.Object)
+        return True
+
+
+def _solve(solver):
+    from freecad.fgmesh import core  # only here, so that FreeCAD starts quickly
+    from freecad.fgmesh.fem.solving import solve
+
+    try:
+        solve(solver.getParentGroup())
+    except core.Error as error:
+        QtGui.QMessageBox.warning(FreeCADGui.getMainWindow(), "FGMesh", str(error))
+
+
 def show_graded_solver(solver):
-    """Gives `solver` the view provider of FreeCAD's own solvers, with their panel."""
+    """Gives `solver` the view provider of FreeCAD's own solvers, with their panel, or ours."""
     view = solver.ViewObject
     if view is not None:
-        kind = fem_module("femsolver.calculix.solver").ViewProxy
+        kind = solver_view() or GradedSolverView
         if not isinstance(view.Proxy, kind):
             kind(view)
