@@ -43,6 +43,7 @@ from freecad.fgmesh._core import (
     caret_excerpt,
     versions,
 )
+from freecad.fgmesh import input_file
 from freecad.fgmesh.sampled_table import read as read_table
 from freecad.fgmesh.sampled_table import read_all as _read_tables
 from freecad.fgmesh.sampled_table import text as table_text
@@ -76,15 +77,20 @@ __all__ = [
 ]
 
 
-class _ReadsTables(type(_core.Material)):
-    """Turns texts and paths among `tables` into what the compiled class takes. Not its __init__ does: while that fails,
+class _ChecksArguments(type(_core.Material)):
+    """Refuses what is no text, and turns texts and paths among `tables` into what the compiled class takes. Not its __init__ does: while that fails,
     whoever looks at the object (a traceback with values does) reads memory that nobody has written."""
 
-    def __call__(cls, *arguments, tables=(), **named):
-        return super().__call__(*arguments, tables=_read_tables(tables), **named)
+    def __call__(cls, fractions, parameters=None, *arguments, tables=(), **named):
+        parameters = {} if parameters is None else parameters
+        for formula in fractions:
+            _check_text(formula, "the formula")
+        for name in parameters:
+            _check_text(name, "the name of the parameter")
+        return super().__call__(fractions, parameters, *arguments, tables=_read_tables(tables), **named)
 
 
-class Material(_core.Material, metaclass=_ReadsTables):
+class Material(_core.Material, metaclass=_ChecksArguments):
     __doc__ = _core.Material.__doc__
 
 
@@ -156,7 +162,7 @@ def generate_mesh(brep, material, options=None, control=None):
     options = MeshingOptions() if options is None else options
     control = RunControl() if control is None else control
     threshold = options.material_threshold
-    shape = read_shape(brep)
+    shape = read_shape(brep, control)
     materials = _with_references(list_of(material), control)
     return MeshingResult(_core.generate_mesh(shape, materials, options, control), threshold)
 
@@ -172,7 +178,7 @@ def estimate(brep, material, options=None, control=None):
     """
     options = MeshingOptions() if options is None else options
     control = RunControl() if control is None else control
-    shape = read_shape(brep)
+    shape = read_shape(brep, control)
     return _core.estimate(shape, _with_references(list_of(material), control), options, control)
 
 
@@ -190,7 +196,9 @@ def references(brep, names, control=None, read=True):
     `worker` does that in its child process. Raises InvalidInput that names a part which the shape does not have,
     GeometryError or Cancelled.
     """
-    shape, names = read_shape(brep), list(names)
+    shape, names = read_shape(brep, control), list(names)
+    for name in names:
+        _check_text(name, "the reference")
     return _core.references(shape, names, control) if read else _core.unread_references(shape, names)
 
 
@@ -245,11 +253,16 @@ def _all_read(given, control):
     return [one if one.is_read else made[one.shape, one.name] for one in given]
 
 
-def read_shape(brep):
+LARGEST_SHAPE = 1 << 30
+"""Bytes of a shape file: far more than what OpenCASCADE reads in an hour."""
+
+
+def read_shape(brep, control=None):
     """The content (bytes) of a BREP or STEP file.
 
     brep: bytes are the content itself; a str of several lines likewise; any other str, or a path-like object,
-    is the path of the file. Raises InvalidInput where the file cannot be read.
+    is the path of the file or of a pipe. control: RunControl, as for `generate_mesh`. Raises InvalidInput where the file
+    cannot be read, or has more than LARGEST_SHAPE bytes; Cancelled.
     """
     if isinstance(brep, (bytes, bytearray, memoryview)):
         return bytes(brep)
@@ -260,11 +273,20 @@ def read_shape(brep):
             f"a shape is bytes, text or the path of a STEP or BREP file, not {type(brep).__name__}"
         )
     try:
-        with open(brep, "rb") as file:
-            return file.read()
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or error
-        raise InvalidInput(f"cannot read the shape file {os.fspath(brep)!r}: {reason}") from None
+        return input_file.read(brep, LARGEST_SHAPE, control)
+    except InvalidInput as error:
+        raise InvalidInput(f"cannot read the shape file {os.fspath(brep)!r}: {error}") from None
+
+
+def _check_text(text, name):
+    """Raise InvalidInput where `text` holds what is no character, which the compiled part does not take."""
+    try:
+        if isinstance(text, str):
+            text.encode()
+    except UnicodeEncodeError as error:
+        raise InvalidInput(
+            f"{name} {text[:60]!r} holds bytes that are no UTF-8 text, at character {error.start + 1}"
+        ) from None
 
 
 def frame_rotation(axis):

@@ -18,6 +18,7 @@ from contextlib import contextmanager
 
 import numpy as np
 
+from freecad.fgmesh import input_file
 from freecad.fgmesh._core import InvalidInput, SampledTable
 
 COORDINATES = ("x", "y", "z", "r", "theta", "d")
@@ -34,15 +35,16 @@ _SAME = 1e-9
 """Of the extent of a coordinate: places that differ by less are one, rounded differently."""
 
 
-def read(source, name="the table"):
+def read(source, name="the table", control=None):
     """The SampledTable of `source`: itself, or what `text` takes. `name` is what messages call it.
 
-    Raises InvalidInput that names the table, the line where there is one, and a cure.
+    control: RunControl, which ends the reading of a pipe that says nothing. Raises InvalidInput that names the table, the
+    line where there is one, and a cure; Cancelled.
     """
     if isinstance(source, SampledTable):
         return source
     with _named(source, name):
-        return _parsed(_content(source))
+        return _parsed(_content(source, control))
 
 
 def text(source, name="the table"):
@@ -108,7 +110,7 @@ def _clean(content):
     return content.rstrip("\n") + "\n"
 
 
-def _content(source):
+def _content(source, control=None):
     """Text as it is, or that of a file."""
     if not isinstance(source, (str, bytes, os.PathLike)):
         raise InvalidInput(
@@ -117,11 +119,9 @@ def _content(source):
     if is_text(source):
         return source
     try:
-        with open(source, "rb") as file:
-            return file.read(LARGEST_TEXT + 1)
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or error
-        raise InvalidInput(f"cannot read the file: {reason}") from None
+        return input_file.read(source, LARGEST_TEXT, control)
+    except InvalidInput as error:
+        raise InvalidInput(f"cannot read the file: {error}") from None
 
 
 def _written(table):
@@ -154,7 +154,7 @@ def _header_line(lines):
     comment = None
     for number, line in enumerate(lines, 1):
         if line.strip().startswith("#"):
-            comment = number
+            comment = number if line.strip().strip("#").strip() else comment
         elif line.strip():
             begins_with_number = _is_number(re.split("[;,\\s]", line.strip())[0])
             return comment if begins_with_number and comment else number

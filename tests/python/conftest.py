@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Shapes as files, the command line as a function, and a small mesh that no mesher made."""
 import itertools
+import os
 import re
 import subprocess
 import sys
@@ -86,7 +87,9 @@ def fgmesh(launcher, tmp_path):
     text."""
 
     def run(*arguments, program=(launcher,), **keywords):
-        command = [*map(str, program), *map(str, arguments)]
+        command = [
+            os.fsencode(word) if isinstance(word, bytes) else str(word) for word in (*program, *arguments)
+        ]
         return subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=120, **keywords)
 
     return run

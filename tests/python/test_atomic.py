@@ -4,10 +4,14 @@ import json
 import math
 import os
 import stat
+import tempfile
+import traceback
+from pathlib import Path
 
 import pytest
 
 from freecad.fgmesh import io
+from freecad.fgmesh.io.atomic import check_writable
 
 
 def put(path, text):
@@ -51,6 +55,66 @@ def test_permissions(tmp_path):
         os.umask(before)
     assert stat.S_IMODE(kept.stat().st_mode) == 0o604
     assert stat.S_IMODE(fresh.stat().st_mode) == 0o640
+
+
+def test_permissions_that_forbid_the_owner_to_write(tmp_path):
+    before = os.umask(0o777)
+    try:
+        as_nobody(lambda folder: replace(folder / "fresh.vtu"))
+    finally:
+        os.umask(before)
+
+
+def test_protected_file_is_refused_beforehand():
+    def check(folder):
+        (folder / "a.vtu").touch(0o444)
+        with pytest.raises(io.OutputError, match="write-protected: name another file"):
+            check_writable(folder / "a.vtu")
+
+    as_nobody(check)
+
+
+def test_file_of_somebody_else_in_a_shared_folder(tmp_path):
+    if os.getuid():
+        pytest.skip("only root can make a file of another user's")
+
+    def check(folder):
+        with pytest.raises(io.OutputError, match="belongs to another user"):
+            check_writable(folder / "a.vtu")
+
+    def make(folder):
+        (folder / "a.vtu").touch()
+        (folder / "a.vtu").chmod(0o666)
+        folder.chmod(0o1777)
+
+    as_nobody(check, before=make)
+
+
+def replace(path):
+    with io.replaced_together(path) as (temporary,):
+        put(temporary, "new")
+    assert path.exists() and stat.S_IMODE(os.stat(path).st_mode) == 0
+
+
+def as_nobody(action, before=None):
+    """Do `action(folder)` in a process without the rights of root, who may write everywhere."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        folder.chmod(0o777)
+        if before:
+            before(folder)
+        child = os.fork()
+        if not child:
+            try:
+                if not os.getuid():
+                    os.setgid(65534)
+                    os.setuid(65534)
+                action(folder)
+                os._exit(0)
+            finally:
+                traceback.print_exc()
+                os._exit(1)
+        assert os.waitpid(child, 0)[1] == 0
 
 
 def test_symbolic_link_is_followed(tmp_path):

@@ -91,7 +91,7 @@ def test_material_that_leaves_its_range_names_a_point(refused, shapes, formula, 
     "name, status, message",
     [
         ("missing.step", 2, "missing.step"),
-        ("", 2, "directory"),
+        ("", 2, "it is a folder"),
         ("empty.step", 2, "empty"),
         ("text.step", 2, "step"),
         ("noise.brep", 2, "brep"),
@@ -140,6 +140,13 @@ def test_shape(refused, shapes, name, status, message):
         (["--param", "x=1"], "x"),
         (["--param", "2a=1"], "2a"),
         (["--material", "m.json"], "one of them"),
+        (["--param", b"\xff=1"], "the name of the parameter '\\udcff' holds bytes that are no UTF-8 text"),
+        (["--reference", b"\xff"], "the reference '\\udcff' holds bytes that are no UTF-8 text"),
+        (
+            ["--fraction", b"x\xff"],
+            "the formula 'x\\udcff' holds bytes that are no UTF-8 text, at character 2",
+        ),
+        (["--threshold", b"\xff"], "no number"),
         (["--unknown"], "unrecognized"),
         (["--thresh", "0.1"], "unrecognized"),
         (["second.step"], "unrecognized"),
@@ -171,6 +178,9 @@ def test_option(refused, shapes, tmp_path, arguments, message):
         ('{"fractions": ["d1/20"], "references": "Face1"}', "references"),
         ('{"fractions": ["d1/20"], "references": ["Face7"]}', "Face7 is lost"),
         ('{"fractions": ["\\ud800"]}', "UTF-8"),
+        ('{"fractions": ["x/10"], "parameters": {"\\ud800": 1}}', "UTF-8"),
+        ('{"fractions": ["d1/20"], "references": ["\\ud800"]}', "UTF-8"),
+        ('{"fractions": ["t1"], "tables": ["\\ud800"]}', "table t1"),
         pytest.param("[" * 100_000, "nested", id="deep"),
         pytest.param("9" * 5000, "material file", id="long number"),
         pytest.param(" " * 3_000_000, "larger", id="large"),
@@ -197,14 +207,17 @@ def test_missing_material(refused, shapes):
         ("out", ".vtu"),
         ("/dev/null", ".vtu"),
         ("box.json.vtu/out.vtu", "does not exist"),
+        ("x" * 255 + ".vtu", "File name too long"),
+        ("circle.vtu", "symbolic links"),
     ],
 )
 def test_output_is_checked_before_the_work(fgmesh, shapes, tmp_path, output, message):
     (tmp_path / "folder.vtu").mkdir()
+    (tmp_path / "circle.vtu").symlink_to("circle.vtu")
     # Where the shape were looked at first, the message would be another.
     done = fgmesh(shapes / "empty.step", *GOOD, "-o", output)
     assert done.returncode == 2 and message in done.stderr
-    assert [path.name for path in tmp_path.iterdir()] == ["folder.vtu"]
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["circle.vtu", "folder.vtu"]
 
 
 def test_report_must_not_overwrite_inputs_or_the_mesh(fgmesh, shapes, tmp_path):

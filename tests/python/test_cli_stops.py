@@ -41,6 +41,7 @@ def started(launcher, shapes, tmp_path):
 
         return process, wait_for, errors
 
+    start.launcher = launcher
     yield start
     for process in processes:
         process.kill()
@@ -52,7 +53,9 @@ def assert_untouched(folder):
     assert (folder / "out.vtu").read_text() == "precious"
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize(
+    "number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT, signal.SIGXCPU, signal.SIGUSR1]
+)
 def test_signal_during_material_refinement(started, tmp_path, number):
     process, wait_for, errors = started("box.brep", *ENDLESS)
     wait_for("material")
@@ -106,6 +109,37 @@ def test_two_signals(started, tmp_path):
     assert process.wait(LARGEST_DELAY + 1) == 5
     assert "Traceback" not in errors()
     assert_untouched(tmp_path)
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGHUP, signal.SIGQUIT, signal.SIGUSR2])
+def test_signal_while_the_mesh_is_written(started, tmp_path, changed_fgmesh, number):
+    program = changed_fgmesh(
+        "import os, time\n"
+        "from freecad.fgmesh.io import mesh_file\n"
+        "def write(result, path):\n"
+        "    open(path, 'w').write('half')\n"
+        "    print('half', file=sys.stderr, flush=True)\n"
+        "    time.sleep(60)\n"
+        "mesh_file.WRITERS['.vtu'] = write"
+    )
+    process, wait_for, errors = started(
+        "box.brep", "--fraction", "x/10", "--threshold", "0.5", program=program
+    )
+    wait_for("half")
+    process.send_signal(number)
+    assert process.wait(10) == 5, errors()
+    assert_untouched(tmp_path)
+
+
+def test_hangup_that_is_ignored(started, tmp_path):
+    """As nohup has it."""
+    nohup = ("nohup", started.launcher)
+    process, wait_for, errors = started(
+        "box.brep", "--fraction", "x/10", "--threshold", "0.05", program=nohup
+    )
+    wait_for("material")
+    process.send_signal(signal.SIGHUP)
+    assert process.wait(60) == 0, errors()
 
 
 def test_time_limit(started, tmp_path):

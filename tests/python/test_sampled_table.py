@@ -88,6 +88,8 @@ def test_a_table_survives_its_text():
     [
         ("\n\n", "it is empty; begin with a line that names the columns"),
         ("0 1\n1 2\n", "line 1: there is no header"),
+        ("#\n1 2\n", "line 2: there is no header; begin with a line that names the columns"),
+        ("# , ;\n1 2\n", "line 1: the columns must be one to three coordinates, then 'value'"),
         ("x y\n0 1\n", "line 1: the columns must be one to three coordinates, then 'value'"),
         ("value\n1\n", "one to three coordinates"),
         ("x y z r value\n0 0 0 0 1\n", "one to three coordinates"),

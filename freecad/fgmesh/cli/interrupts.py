@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Ctrl-C and SIGTERM: the process ends at once, and leaves nothing half-written.
+"""Signals that would end the process: it ends at once, and leaves nothing half-written.
 
 The handler raises no exception: one that surfaces in the middle of an import or of a callback is swallowed
 there. Nor does it end the meshing process, which ends by itself when this one does.
@@ -7,7 +7,11 @@ there. Nor does it end the meshing process, which ends by itself when this one d
 import os
 import signal
 
-SIGNALS = (signal.SIGINT, signal.SIGTERM)
+SIGNALS = (
+    *(signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT, signal.SIGXCPU),
+    *(signal.SIGALRM, signal.SIGVTALRM, signal.SIGPROF, signal.SIGUSR1, signal.SIGUSR2),
+)
+"""Those that end a process that does not ask for them, but for faults of its own and SIGKILL, which nobody can catch."""
 STOPPED = 5
 """The exit status that tells of it."""
 
@@ -17,7 +21,7 @@ _cleanups = []
 def install():
     """From now on a signal ends the process with exit status STOPPED."""
     for number in SIGNALS:
-        # A shell's background job has SIGINT ignored on purpose.
+        # A shell's background job has SIGINT ignored on purpose; nohup, SIGHUP.
         if signal.getsignal(number) is not signal.SIG_IGN:
             signal.signal(
                 number, lambda received, frame: leave(f"interrupted by {signal.Signals(received).name}")

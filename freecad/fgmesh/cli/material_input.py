@@ -4,7 +4,7 @@ import json
 import math
 from pathlib import Path
 
-from freecad.fgmesh import core
+from freecad.fgmesh import core, input_file
 from freecad.fgmesh.cli.arguments import shortened
 
 LARGEST_FILE = 2 * 1024 * 1024
@@ -13,34 +13,32 @@ LARGEST_FILE = 2 * 1024 * 1024
 KEYS = ("fractions", "parameters", "origin", "axis", "references", "tables")
 
 
-def read_materials(arguments, part):
+def read_materials(arguments, shape, control):
     """The Materials of the parsed `arguments`, one for all solids or one for each, with references to parts of
-    the shape file `part`.
+    the `shape` (bytes).
 
-    The shape is not looked at: whether it has these parts shows when it is meshed. Raises core.InvalidInput,
-    FormulaError included.
+    The shape is not looked at: whether it has these parts shows when it is meshed. `control` (RunControl) is looked at
+    while files are read. Raises core.InvalidInput, FormulaError included, and core.Cancelled.
     """
-    return [_material(values, part) for values in material_values(arguments)]
+    return [_material(values, shape, control) for values in material_values(arguments, control)]
 
 
-def _material(values, part):
+def _material(values, shape, control):
     fractions = values["fractions"]
     rotation = core.frame_rotation(values.get("axis", (0.0, 0.0, 1.0)))
-    for formula in fractions:
-        _check_text(formula)
     names = values.get("references", [])
-    references = core.references(part, names, read=False) if names else []
+    references = core.references(shape, names, read=False) if names else []
+    paths = enumerate(values.get("tables", []), 1)
+    tables = [core.read_table(path, f"table t{number}", control) for number, path in paths]
     origin = values.get("origin", (0.0, 0.0, 0.0))
     try:
-        return core.Material(
-            fractions, values["parameters"], origin, rotation, references, tables=values.get("tables", [])
-        )
+        return core.Material(fractions, values["parameters"], origin, rotation, references, tables=tables)
     except core.FormulaError as error:
         shown, caret = core.caret_excerpt(fractions[error.formula], error.position).split("\n")
         raise core.InvalidInput(f"{error}\n  {shown}\n  {caret}") from error
 
 
-def material_values(arguments):
+def material_values(arguments, control=None):
     """The plain values of each material: fractions, parameters and, where given, origin, axis, references
     and the paths of tables.
     What options tell holds for all."""
@@ -48,7 +46,7 @@ def material_values(arguments):
         raise core.InvalidInput("--fraction and --material both tell the formula: give one of them")
     if not arguments.material and not arguments.fraction:
         raise core.InvalidInput("no material: give --fraction FORMULA or --material FILE.json")
-    materials = [read_material_file(path) for path in arguments.material] or [
+    materials = [read_material_file(path, control) for path in arguments.material] or [
         {"fractions": arguments.fraction}
     ]
     given = {}
@@ -70,17 +68,13 @@ def material_values(arguments):
     return materials
 
 
-def read_material_file(path):
-    """The checked content of a material file. Raises core.InvalidInput."""
+def read_material_file(path, control=None):
+    """The checked content of a material file. Raises core.InvalidInput, core.Cancelled."""
     try:
-        with open(path, "rb") as file:
-            content = file.read(LARGEST_FILE + 1)
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or error
-        raise core.InvalidInput(f"cannot read the material file {path!r}: {reason}") from None
+        content = input_file.read(path, LARGEST_FILE, control)
+    except core.InvalidInput as error:
+        raise core.InvalidInput(f"cannot read the material file {path!r}: {error}") from None
     try:
-        if len(content) > LARGEST_FILE:
-            raise ValueError(f"it is larger than {LARGEST_FILE // 1024**2} MB")
         values = _checked(_parsed(content))
     except (ValueError, RecursionError, OverflowError) as error:
         reason = "it is nested too deeply" if isinstance(error, RecursionError) else error
@@ -137,12 +131,3 @@ def _finite(value, name):
     if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(float(value)):
         raise ValueError(f"the value of {shortened(name)} is no finite number")
     return float(value)
-
-
-def _check_text(formula):
-    try:
-        formula.encode("utf-8")
-    except UnicodeEncodeError as error:
-        raise core.InvalidInput(
-            f"the formula holds bytes that are no UTF-8 text, at character {error.start + 1}"
-        ) from None

@@ -17,14 +17,35 @@ def check_writable(path):
         raise OutputError(f"the file name {path!r} holds a NUL character")
     target = os.path.realpath(path)
     folder = os.path.dirname(target)
-    if os.path.isdir(target):
-        raise OutputError(f"{path!r} is a folder: name a file in it")
-    if os.path.exists(target) and not stat.S_ISREG(os.stat(target).st_mode):
-        raise OutputError(f"{path!r} is no regular file and cannot be replaced: name another file")
     if not os.path.isdir(folder):
         raise OutputError(f"the folder of {path!r} does not exist: make it first")
+    existing = _status(target, path)
+    if existing is not None:
+        _check_replaceable(existing, os.stat(folder), path)
+        if not os.access(target, os.W_OK):
+            raise OutputError(f"{path!r} is write-protected: name another file, or allow writing to it")
     if not os.access(folder, os.W_OK | os.X_OK):
         raise OutputError(f"the folder of {path!r} is not writable: choose another one")
+
+
+def _status(target, path):
+    """What os.stat gives, None where there is no such file."""
+    try:
+        return os.stat(target)
+    except (FileNotFoundError, NotADirectoryError):
+        return None
+    except OSError as error:  # a name that is too long, say, or links in a circle
+        raise OutputError(f"cannot write {path!r}: {error.strerror}") from None
+
+
+def _check_replaceable(existing, folder, path):
+    if stat.S_ISDIR(existing.st_mode):
+        raise OutputError(f"{path!r} is a folder: name a file in it")
+    if not stat.S_ISREG(existing.st_mode):
+        raise OutputError(f"{path!r} is no regular file and cannot be replaced: name another file")
+    # In a folder like /tmp only the owner of a file may replace it.
+    if folder.st_mode & stat.S_ISVTX and os.geteuid() not in (0, existing.st_uid, folder.st_uid):
+        raise OutputError(f"{path!r} belongs to another user and cannot be replaced: name another file")
 
 
 @contextlib.contextmanager
@@ -43,11 +64,13 @@ def replaced_together(*paths, before_replacing=None):
     temporary = [_name_beside(target) for target in targets]
     _unfinished.update(temporary)
     try:
-        for name, target in zip(temporary, targets):
-            _create(name, _permissions(target))
-        yield list(temporary)
         for name in temporary:
+            _create(name)
+        yield list(temporary)
+        for name, target in zip(temporary, targets):
             _flush(name)
+            # Not before: they may forbid even their owner to read and write.
+            os.chmod(name, _permissions(target))
         if before_replacing:
             before_replacing()
         for name, target in zip(temporary, targets):
@@ -85,10 +108,10 @@ def _name_beside(target):
     )
 
 
-def _create(name, permissions):
+def _create(name):
     handle = os.open(name, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
     try:
-        os.fchmod(handle, permissions)
+        os.fchmod(handle, 0o600)  # whatever the umask
     finally:
         os.close(handle)
 

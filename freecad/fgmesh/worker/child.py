@@ -3,7 +3,7 @@
 
 Arguments: the numbers of two open files in memory, for the request (a line of JSON, then the shapes: that to
 mesh, and those of references) and for arrays, those of the request and behind them those of the answer. Standard
-output takes messages, a line of JSON each: ["progress", [stage, fraction, tets]], and at last ["result", packed] or ["error", {name, text, position, formula, place}]. Standard input never says
+output takes messages, a line of JSON each: ["progress", [stage, fraction, tets]], and at last ["result", packed] or ["error", {name, limit, text, position, formula, place}]. Standard input never says
 anything: it ends when the parent does.
 """
 import contextlib
@@ -16,7 +16,7 @@ import threading
 import time
 import traceback
 
-from freecad.fgmesh import core
+from freecad.fgmesh import core, system_limits
 from freecad.fgmesh.worker.tasks import TASKS
 from freecad.fgmesh.worker.transfer import mapped, pack
 
@@ -29,8 +29,9 @@ to twice their content, threads for stacks."""
 
 def main():
     """Serve the request; never returns."""
-    # Ctrl-C in a terminal reaches the parent, too, whose business it is.
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    # What a terminal sends reaches the parent, too, whose business it is.
+    for number in (signal.SIGINT, signal.SIGQUIT, signal.SIGHUP):
+        signal.signal(number, signal.SIG_IGN)
     threading.Thread(target=_end_with_parent, daemon=True).start()
     # Where memory runs out in spite of all limits, the system is to end this process and not FreeCAD.
     with contextlib.suppress(OSError), open("/proc/self/oom_score_adj", "w") as file:
@@ -75,8 +76,11 @@ def _answer(request, shapes, arrays, send):
         task = TASKS[request["task"]]
         return "result", pack(task.answer(request["asked"], shapes, mapped(arrays.fileno()), control), arrays)
     except Exception as error:
+        # OpenCASCADE takes a want of memory for a fault of the shape.
+        starved = isinstance(error, core.GeometryError) and system_limits.memory_was_short()
         return "error", {
-            "name": type(error).__name__,
+            "name": "MemoryError" if starved else type(error).__name__,
+            "limit": system_limits.reached(error),
             "text": str(error),
             "position": getattr(error, "position", None),
             "formula": getattr(error, "formula", None),

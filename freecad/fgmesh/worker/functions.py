@@ -6,7 +6,7 @@ from freecad.fgmesh.worker.tasks import Estimating, Measuring, Meshing
 
 def start(brep, material, options=None, control=None):
     """Start the child process for what `core.generate_mesh` takes. Gives the Run."""
-    return Run(Meshing(brep, material, options), control)
+    return Run(Meshing(brep, material, options, control), control)
 
 
 def generate_mesh(brep, material, options=None, control=None):
@@ -16,7 +16,7 @@ def generate_mesh(brep, material, options=None, control=None):
 
 def start_estimate(brep, material, options=None, control=None):
     """Start the child process for what `core.estimate` takes. Gives the Run."""
-    return Run(Estimating(brep, material, options), control)
+    return Run(Estimating(brep, material, options, control), control)
 
 
 def estimate(brep, material, options=None, control=None):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The parent's side: starts the child, shows its progress, keeps its limits, tells how it ended."""
 import contextlib
+import fcntl
 import json
 import math
 import mmap
@@ -13,7 +14,7 @@ import sysconfig
 import time
 from pathlib import Path
 
-from freecad.fgmesh import core
+from freecad.fgmesh import core, system_limits
 from freecad.fgmesh.worker.transfer import mapped, unpack
 
 WATCH_SECONDS = 0.05
@@ -49,19 +50,26 @@ class Run:
         self._answer = self._stopped = None
         self._ended = False
         self._unread = self._last_words = b""
-        self._arrays = os.memfd_create("fgmesh-arrays")
-        requested = os.memfd_create("fgmesh-request")
         try:
-            self._write_request(requested)
-            self._process = _spawn(requested, self._arrays)
-        except BaseException:
-            os.close(self._arrays)
-            raise
-        finally:
-            os.close(requested)
-        self._selector = selectors.DefaultSelector()
-        self._selector.register(self._process.stdout, selectors.EVENT_READ, self._read_messages)
-        self._selector.register(self._process.stderr, selectors.EVENT_READ, self._read_chatter)
+            self._start()
+        except OSError as error:
+            limit = system_limits.reached(error)
+            if not limit:
+                raise
+            raise core.Cancelled(limit) from error
+
+    def _start(self):
+        with contextlib.ExitStack() as undo:
+            self._arrays = _memory_file("fgmesh-arrays")
+            undo.callback(os.close, self._arrays)
+            with _closed_afterwards(_memory_file("fgmesh-request")) as requested:
+                self._write_request(requested)
+                self._process = _spawn(requested, self._arrays)
+            undo.callback(self._process.kill)
+            self._selector = selectors.DefaultSelector()
+            self._selector.register(self._process.stdout, selectors.EVENT_READ, self._read_messages)
+            self._selector.register(self._process.stderr, selectors.EVENT_READ, self._read_chatter)
+            undo.pop_all()
 
     def _write_request(self, requested):
         shapes = []
@@ -175,11 +183,13 @@ class Run:
         self._process.wait()
         self._ended = True
 
-    def _error(self, name, text, position, formula, place):
+    def _error(self, name, limit, text, position, formula, place):
         if name == "MemoryError":
-            return core.Cancelled(self._memory_limit_reached() + self._place())
+            return core.Cancelled(system_limits.memory_text(self._memory_limit_mb) + self._place())
         kind = getattr(core, name, None)
         if not (isinstance(kind, type) and issubclass(kind, core.Error)):
+            if limit:
+                return core.Cancelled(limit + self._place())
             fault = RuntimeError(f"{name}: {text}")
             fault.add_note(f"In the {self._task.process}:\n{place}")
             return fault
@@ -194,6 +204,9 @@ class Run:
             return self._stopped
         status = self._process.returncode
         if status >= 0:
+            limit = system_limits.reached(self._last_words.decode(errors="backslashreplace"))
+            if limit:
+                return core.Cancelled(limit + self._place())
             return RuntimeError(f"the {self._task.process} ended with exit status {status}{self._words()}")
         number = signal.Signals(-status)
         if number in CRASHES:
@@ -229,6 +242,20 @@ def interpreter():
     if Path(sys.executable or "").name.startswith("python"):
         return sys.executable
     return str(Path(sysconfig.get_config_var("BINDIR"), f"python{sysconfig.get_python_version()}"))
+
+
+def _memory_file(name):
+    """The number of an open file in memory, above those of the standard streams, even where these are closed."""
+    with _closed_afterwards(os.memfd_create(name)) as file:
+        return fcntl.fcntl(file, fcntl.F_DUPFD_CLOEXEC, 3)
+
+
+@contextlib.contextmanager
+def _closed_afterwards(file):
+    try:
+        yield file
+    finally:
+        os.close(file)
 
 
 def _spawn(*files):

@@ -22,10 +22,10 @@ class Meshing:
 
     process = "meshing process"
 
-    def __init__(self, brep, material, options=None):
+    def __init__(self, brep, material, options=None, control=None):
         self._options = core.MeshingOptions() if options is None else options
         self._threshold = self._options.material_threshold
-        self._shape = core.read_shape(brep)
+        self._shape = core.read_shape(brep, control)
         self._materials = core.list_of(material)
 
     def request(self, shapes, arrays):
