@@ -48,6 +48,7 @@ PYTHON_LAYERS = {
     "panels": MODEL | {"colours", "fem", "io", "pictures", "view", "worker"},
     "commands": MODEL | {"colours", "fem", "view", "panels", "worker"},
     "init_gui": MODEL | {"colours", "fem", "view", "panels", "commands", "worker"},
+    "init": {"fem"},
     "__init__": MODEL | {"fem", "io", "pictures"},
 }
 """Module or folder of freecad/fgmesh/: the others that it may import."""

@@ -6,7 +6,7 @@ import numpy as np
 
 from freecad.fgmesh import core, mixing
 from freecad.fgmesh.fem.fem_mesh import points_and_tets
-from freecad.fgmesh.model import constituents, mesh_object
+from freecad.fgmesh.model import constituents, mesh_object, stored
 from freecad.fgmesh.model.graded_parts import owners_of
 from freecad.fgmesh.model.graded_solid import material_of
 
@@ -53,7 +53,9 @@ class Region(NamedTuple):
         try:
             return mixing.mixed(fractions, self.cards, laws, wanted, within_range)
         except core.InvalidInput as error:
-            names = ", ".join(f"{n}: {name}" for n, name in enumerate(self.owner.FGMConstituents, 1))
+            names = ", ".join(
+                f"{n}: {name}" for n, name in enumerate(stored.texts(self.owner, "FGMConstituents"), 1)
+            )
             raise core.InvalidInput(f"{self.owner.Label} ({names}): {error}") from None
 
     def _checked(self, fractions):
@@ -118,7 +120,7 @@ class GradedMesh(NamedTuple):
         all, since there are more than two constituents, or where it jumps."""
         values = np.full(len(self.points), np.nan)
         for region in self.regions:
-            count = len(region.owner.FGMConstituents)
+            count = len(stored.texts(region.owner, "FGMConstituents"))
             if count != 2:
                 raise core.InvalidInput(
                     f"{region.owner.Label} has {count} constituents, but the continuous mode knows two: "
@@ -173,7 +175,7 @@ def check_current(mesh):
 
 
 def _cards(owner):
-    names = list(getattr(owner, "FGMConstituents", []))
+    names = stored.texts(owner, "FGMConstituents")
     if not names:
         raise core.InvalidInput(
             f"{owner.Label} has no constituents, so its properties are not known: choose a material card for each in "

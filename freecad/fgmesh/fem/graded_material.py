@@ -13,7 +13,7 @@ from freecad.fgmesh import core, mixing
 from freecad.fgmesh.fem.bins import Bins, bins
 from freecad.fgmesh.adapter import fem_module
 from freecad.fgmesh.fem.graded_fields import check_current, graded_mesh
-from freecad.fgmesh.model import constituents, presentation
+from freecad.fgmesh.model import constituents, presentation, stored
 from freecad.fgmesh.model.graded_parts import graded_parts
 from freecad.fgmesh.model.stateless import Stateless
 
@@ -67,6 +67,12 @@ class GradedMaterial(Stateless):
     def onDocumentRestored(self, graded):
         _add_missing_properties(graded)
         presentation.show_graded_material(graded)
+
+
+def revive(graded):
+    """Gives back the proxy to an object that was saved by a FreeCAD without FGMesh."""
+    if not isinstance(graded.Proxy, GradedMaterial):
+        GradedMaterial(graded)
 
 
 def is_graded_material(thing):
@@ -168,7 +174,10 @@ def _status(graded):
         return graded.Status or _NOT_MADE
     if None in graded.Materials or len(graded.Materials) != graded.BinCount:
         return "out of date: some of its materials are gone"
-    before, now = json.loads(graded.MadeFrom), _made_from(graded)
+    try:
+        before, now = stored.document_in(graded, "MadeFrom"), _made_from(graded)
+    except core.Error as error:
+        return f"out of date: {error}"
     found = []
     if before.get("mesh") != now["mesh"]:
         found.append("the mesh is another one")

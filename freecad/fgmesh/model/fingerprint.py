@@ -9,7 +9,7 @@ import math
 
 import FreeCAD
 
-from freecad.fgmesh.model import graded_solid, references
+from freecad.fgmesh.model import graded_solid, references, stored
 from freecad.fgmesh.model.graded_parts import graded_parts
 from freecad.fgmesh.model.options import shaping_values
 
@@ -38,9 +38,9 @@ def take(solid, values):
 
 def _material(solid):
     return {
-        "fractions": list(getattr(solid, "FGMFractions", [])),
+        "fractions": stored.texts(solid, "FGMFractions"),
         "parameters": graded_solid.parameters_of(solid),
-        "frame": _numbers(getattr(solid, "FGMFrame", FreeCAD.Placement())),
+        "frame": _numbers(stored.placement(solid, "FGMFrame")),
         "references": references.fingerprint(solid, _shape_hash, _numbers),
         "tables": [hashlib.sha256(text.encode()).hexdigest() for text in graded_solid.tables_of(solid)],
     }
@@ -147,8 +147,10 @@ def _numbers(placement):
 
 
 def _same(before, now):
-    return all(
-        math.dist(before[part], now[part])
-        <= _SAVED_DIGITS * max(math.hypot(*before[part]), math.hypot(*now[part]))
-        for part in ("base", "rotation")
-    )
+    return all(_near(before[part], now[part]) for part in ("base", "rotation"))
+
+
+def _near(before, now):
+    # Infinite numbers are as far from each other as from all others.
+    distance, size = math.dist(before, now), max(math.hypot(*before), math.hypot(*now))
+    return before == now or math.isfinite(size) and distance <= _SAVED_DIGITS * size

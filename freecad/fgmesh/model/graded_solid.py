@@ -4,6 +4,7 @@ driven by expressions with it."""
 import FreeCAD
 
 from freecad.fgmesh import core
+from freecad.fgmesh.model import stored
 from freecad.fgmesh.model.references import (
     LINKS,
     check_complete,
@@ -118,13 +119,13 @@ def parameters_of(solid):
 def tables_of(solid):
     """The texts of the tables t1, t2, ... of `solid`."""
     # Always with a line break: nothing in a document, which may come from a stranger, is taken for a path.
-    return [text.rstrip("\n") + "\n" for text in getattr(solid, "FGMTables", [])]
+    return [text.rstrip("\n") + "\n" for text in stored.texts(solid, "FGMTables")]
 
 
 def frame_in_document(solid):
     """Placement of the material's frame in the coordinates of `solid.Shape`, which carries the solid's own
     placement but not its containers'."""
-    return solid.Placement.multiply(solid.FGMFrame)
+    return solid.Placement.multiply(stored.placement(solid, "FGMFrame"))
 
 
 def material_of(solid, placement=None):
@@ -139,7 +140,9 @@ def material_of(solid, placement=None):
     placement = FreeCAD.Placement() if placement is None else placement
     frame = placement.multiply(frame_in_document(solid))
     tables = tables_of(solid)
-    return _material(solid.FGMFractions, parameters_of(solid), frame, links, tables, solid, placement)
+    return _material(
+        stored.texts(solid, "FGMFractions"), parameters_of(solid), frame, links, tables, solid, placement
+    )
 
 
 def draft_material(solid, fractions, parameters, frame, links, tables):
@@ -152,7 +155,7 @@ def plain_number(value):
     """`value`, a number or a FreeCAD quantity, as a float in FreeCAD's units (mm)."""
     try:
         return float(getattr(value, "Value", value))
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError, NotImplementedError):  # FreeCAD's placements raise the last
         raise core.InvalidInput(f"a parameter must be a number, not {value!r}") from None
 
 

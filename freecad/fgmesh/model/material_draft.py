@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 import FreeCAD
 
 from freecad.fgmesh import core
-from freecad.fgmesh.model import graded_solid, references
+from freecad.fgmesh.model import graded_solid, references, stored
 from freecad.fgmesh.model.macro_text import object_text, placement_text
 
 
@@ -39,10 +39,10 @@ class MaterialDraft:
         prefix = graded_solid.PARAMETER_PREFIX
         values = graded_solid.parameters_of(solid).items()
         return cls(
-            list(solid.FGMConstituents),
-            list(solid.FGMFractions),
+            stored.texts(solid, "FGMConstituents"),
+            stored.texts(solid, "FGMFractions"),
             {name: driven.get(prefix + name, f"{value:.15g}") for name, value in values},
-            FreeCAD.Placement(solid.FGMFrame),
+            FreeCAD.Placement(stored.placement(solid, "FGMFrame")),
             references.stored_links(solid),
             graded_solid.tables_of(solid),
         )

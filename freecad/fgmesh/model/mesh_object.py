@@ -11,7 +11,7 @@ import Fem  # noqa: F401  registers the Fem types with the document
 import numpy as np
 
 from freecad.fgmesh import core
-from freecad.fgmesh.model import fingerprint, presentation
+from freecad.fgmesh.model import fingerprint, presentation, stored
 from freecad.fgmesh.model.graded_parts import graded_parts
 from freecad.fgmesh.model.kept_meshes import KeptMeshes
 from freecad.fgmesh.model.options import OPTIONS, add_missing_options, option_values
@@ -141,8 +141,33 @@ def store(mesh, fem_mesh, report, fractions, taken):
 
 
 def fractions_of(mesh):
-    """(n, k - 1): volume fractions of all constituents but the last at the nodes of the mesh."""
-    return np.array(mesh.Fractions, float).reshape(mesh.FemMesh.NodeCount, -1)
+    """(n, k - 1): volume fractions of all constituents but the last at the nodes of the mesh. Raises core.InvalidInput
+    where a document tells of other nodes."""
+    fractions, nodes = np.array(mesh.Fractions, float), mesh.FemMesh.NodeCount
+    if not nodes or not len(fractions) or len(fractions) % nodes:
+        raise core.InvalidInput(f"{mesh.Label} does not tell the fractions at its nodes: mesh it again")
+    return fractions.reshape(nodes, -1)
+
+
+def report_of(mesh):
+    """The report of `mesh`, a dict as core.report() gives it. Raises core.InvalidInput where the document tells none."""
+    report = stored.document_in(mesh, "Report")
+    try:
+        stages = [(stage["name"], stage["variation"], stage["dihedral"]) for stage in report["stages"]]
+        figures = [
+            [figures[key] for key in ("min", "max", "histogram")] for _, *two in stages for figures in two
+        ]
+        counts = [figures[2]["counts"] for figures in figures]
+        if (
+            counts
+            and report["deviation_max"] >= 0
+            and isinstance(report["messages"], list)
+            and report["status"]
+        ):
+            return report
+    except (KeyError, TypeError):
+        pass
+    raise stored.damaged(mesh, "Report")
 
 
 def _status(mesh):
@@ -150,11 +175,21 @@ def _status(mesh):
         return NOT_MESHED
     if mesh.FemMesh.VolumeCount != mesh.TetCount:
         return "out of date: the mesh cannot be brought back by undo; mesh again"
-    now = fingerprint.take(mesh.Shape, option_values(mesh))
-    changed = fingerprint.changes(json.loads(mesh.Fingerprint), now)
+    try:
+        return _compared(mesh)
+    except core.Error as error:
+        return f"out of date: {error}"
+
+
+def _compared(mesh):
+    before, now = stored.document_in(mesh, "Fingerprint"), fingerprint.take(mesh.Shape, option_values(mesh))
+    try:
+        changed = fingerprint.changes(before, now)
+    except (KeyError, TypeError, ValueError, AttributeError, OverflowError):
+        raise stored.damaged(mesh, "Fingerprint") from None
     if changed:
         return "out of date: " + "; ".join(changed)
-    report = json.loads(mesh.Report)
+    report = report_of(mesh)
     if report["status"] == "threshold_not_met":
         broken = report.get("certified", {}).get("broken", 0)  # those above at their corners are among them
         above = max(broken, report["stages"][-1]["variation"]["above_threshold"])
@@ -167,8 +202,7 @@ def _status(mesh):
 def _add_missing_properties(mesh):
     # Results first: changing an option looks at Status.
     for name, kind, tip in _RESULTS:
-        if name not in mesh.PropertiesList:
-            mesh.addProperty(kind, name, "Results", tip, _OUTPUT)
+        stored.restore_property(mesh, kind, name, "Results", tip, _OUTPUT)
         mesh.setEditorMode(name, ["ReadOnly", "Hidden"] if name in _HIDDEN else ["ReadOnly"])
     add_missing_options(mesh)
 

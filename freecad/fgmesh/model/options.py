@@ -3,6 +3,7 @@
 from typing import Any, NamedTuple
 
 from freecad.fgmesh import core
+from freecad.fgmesh.model import stored
 from freecad.fgmesh.model.texts import TRANSLATE_LATER
 
 GROUP = "Meshing"
@@ -117,14 +118,12 @@ def add_missing_options(mesh):
     """Gives `mesh` the option properties that it has not, with their defaults: all of them to a new object,
     those of a later version to one from an old document."""
     defaults = default_values()
-    if "Groups" not in mesh.PropertiesList:
-        tip = f"Parts of the shape that get groups in the mesh: {', '.join(GROUP_KINDS)}"
-        mesh.addProperty("App::PropertyStringList", "Groups", GROUP, tip)
+    tip = f"Parts of the shape that get groups in the mesh: {', '.join(GROUP_KINDS)}"
+    if stored.restore_property(mesh, "App::PropertyStringList", "Groups", GROUP, tip):
         mesh.Groups = defaults["Groups"]
     for option in OPTIONS:
-        if option.property in mesh.PropertiesList:
+        if not stored.restore_property(mesh, option.type, option.property, GROUP, option.tip):
             continue
-        mesh.addProperty(option.type, option.property, GROUP, option.tip)
         if option.property == "StopAfter":
             mesh.StopAfter = STAGES
         setattr(mesh, option.property, defaults[option.property])
@@ -156,7 +155,13 @@ def meshing_options(values):
         raise core.InvalidInput(
             f"Groups: {min(unknown)!r} is no kind of part; there are {', '.join(GROUP_KINDS)}"
         )
-    options = core.MeshingOptions(**{o.field: _to_field(o, values[o.property]) for o in OPTIONS})
+    options = core.MeshingOptions()
+    for option in OPTIONS:
+        value = values[option.property]
+        try:
+            setattr(options, option.field, _to_field(option, value))
+        except TypeError:
+            raise core.InvalidInput(f"{option.property} cannot be {value!r}: give it another value") from None
     options.validate()
     return options
 

@@ -7,6 +7,7 @@ leads to, and d2 would become d1; FGMReferenceNames remembers what there was.
 import re
 
 from freecad.fgmesh import core
+from freecad.fgmesh.model import stored
 from freecad.fgmesh.model.shapes import brep_text
 
 # A plain App::PropertyLinkSubList that leads to a face of its own solid makes a cycle: FreeCAD would refuse to
@@ -48,7 +49,7 @@ def set_links(solid, links):
 def stored_links(solid):
     """The links in the properties of `solid`, in the order of d1, d2, ..."""
     return [
-        (thing, name) for thing, names in getattr(solid, "FGMReferences", []) for name in (names or ("",))
+        (thing, name) for thing, names in stored.links(solid, "FGMReferences") for name in (names or ("",))
     ]
 
 
@@ -56,9 +57,14 @@ def full_name(thing, name):
     return f"{thing.Name}.{name}" if name else thing.Name
 
 
+def remembered_names(solid):
+    """What set_links() was given, by full_name()."""
+    return stored.texts(solid, "FGMReferenceNames")
+
+
 def check_complete(solid):
     """Raises core.InvalidInput that names the references whose objects were deleted."""
-    remembered, links = getattr(solid, "FGMReferenceNames", []), stored_links(solid)
+    remembered, links = remembered_names(solid), stored_links(solid)
     if len(links) >= len(remembered):
         return
     present = {full_name(*link) for link in links}
@@ -138,6 +144,7 @@ def _container(thing):
 def fingerprint(solid, shape_hash, numbers):
     """What tells whether a mesh was made with these references: a list of small dictionaries. `solid` itself is
     told of elsewhere; others by `shape_hash(shape)` and `numbers(placement)`."""
+    remembered_names(solid)  # which a material could not be made without
     found = []
     for thing, name in stored_links(solid):
         entry = {"name": full_name(thing, name)}

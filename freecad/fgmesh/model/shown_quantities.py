@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from freecad.fgmesh.model import constituents
+from freecad.fgmesh.model import constituents, stored
 from freecad.fgmesh.model.graded_parts import graded_parts
 from freecad.fgmesh.model.texts import TRANSLATE_LATER
 
@@ -47,7 +47,7 @@ class Quantity(NamedTuple):
 def fraction_titles(solid, count, translate=str):
     """What the fractions of the `count` constituents of `solid`, None where it was deleted, are called."""
     parts = graded_parts(solid) if solid is not None else []
-    names = list(getattr(parts[0][0], "FGMConstituents", [])) if parts else []
+    names = stored.texts(parts[0][0], "FGMConstituents") if parts else []
     return [quantity.title(translate) for quantity in _fractions(names, count)]
 
 

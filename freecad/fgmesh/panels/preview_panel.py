@@ -6,6 +6,7 @@ from PySide import QtGui
 
 from freecad.fgmesh import core
 from freecad.fgmesh.adapter import flag_number
+from freecad.fgmesh.model import stored
 from freecad.fgmesh.model.graded_parts import graded_parts, materials_of
 from freecad.fgmesh.panels.message_label import MessageLabel
 from freecad.fgmesh.panels.preview_box import PreviewBox, range_text
@@ -30,8 +31,8 @@ class PreviewPanel:
         layout.addWidget(self.preview)
         layout.addWidget(self.message)
         first, *_ = graded_parts(solid)[0]
-        names, formulas = getattr(first, "FGMConstituents", []), getattr(first, "FGMFractions", [""])
-        self.preview.set_constituents(list(names), len(formulas) + 1)
+        names, formulas = stored.texts(first, "FGMConstituents"), stored.texts(first, "FGMFractions")
+        self.preview.set_constituents(names, len(formulas) + 1)
         self.preview.setChecked(True)
         self._show()
 

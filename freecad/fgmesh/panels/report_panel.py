@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The panel that shows how good a mesh is: the table of stages, histograms, the worst tetrahedra, a cut."""
-import json
 
 import FreeCADGui
 import numpy as np
@@ -10,7 +9,7 @@ from freecad.fgmesh import pictures
 from freecad.fgmesh.adapter import flag_number
 from freecad.fgmesh.fem.fem_mesh import points_and_tets
 from freecad.fgmesh.io import stage_rows, write_report_table
-from freecad.fgmesh.model.mesh_object import fractions_of
+from freecad.fgmesh.model.mesh_object import fractions_of, report_of
 from freecad.fgmesh.model.shown_quantities import fraction_titles
 from freecad.fgmesh.model.tet_figures import smallest_dihedral_angles, variations
 from freecad.fgmesh.model.texts import TRANSLATE_LATER
@@ -70,7 +69,7 @@ class ReportPanel:
     """Figures of `mesh`, a mesh object that has been generated; nothing in the document changes."""
 
     def __init__(self, mesh):
-        self.mesh, self.report = mesh, json.loads(mesh.Report)
+        self.mesh, self.report = mesh, report_of(mesh)
         self._was_coloured = mesh_look.is_coloured(mesh)
         self._titles = fraction_titles(mesh.Shape, 1 + fractions_of(mesh).shape[1], translate)
         self.form = [self._figures_box(), self._view_box()]
