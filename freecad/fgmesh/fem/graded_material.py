@@ -178,12 +178,16 @@ def _status(graded):
         before, now = stored.document_in(graded, "MadeFrom"), _made_from(graded)
     except core.Error as error:
         return f"out of date: {error}"
+    try:
+        same_cards = _same_cards(before, now, graded)
+    except (TypeError, ValueError, AttributeError):
+        return f"out of date: {stored.damaged(graded, 'MadeFrom')}"
     found = []
     if before.get("mesh") != now["mesh"]:
         found.append("the mesh is another one")
     if before.get("request") != now["request"]:
         found.append("modes, bins or laws were changed")
-    if not _same_cards(before, now, graded):
+    if not same_cards:
         found.append("a material card was changed")
     return "out of date: " + "; ".join(found) if found else "ok"
 
@@ -200,7 +204,7 @@ def _cards(graded):
     """[(name, {property: text})] of all constituents."""
     solid = graded.Mesh.Shape
     owners = [owner for owner, _ in graded_parts(solid)] if solid is not None else []
-    names = [(name, owner) for owner in owners for name in getattr(owner, "FGMConstituents", [])]
+    names = [(name, owner) for owner in owners for name in stored.texts(owner, "FGMConstituents")]
     return [(name, constituents.properties(name, owner.Document)) for name, owner in names]
 
 
