@@ -2,6 +2,7 @@
 #include "mesh/surface_mesh.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 namespace fgmesh {
 namespace {
@@ -243,6 +244,37 @@ bool SurfaceMesh::collapse(int v, int w, double chord, double longest) {
     creases_.erase(key(v, beyond));
     creases_[key(w, beyond)] = edge;
   }
+  return true;
+}
+
+bool SurfaceMesh::unfold(int t) {
+  struct Draw {
+    int inward = 0;  ///< triangles at `from` that face inwards afterwards
+    double length = 0.0;
+    int from = -1, onto = -1;
+  };
+  Draw best;
+  for (int v : triangles[t].vertex) {
+    if (vertices[v].carrier.dimension != 2) continue;
+    const auto inward = std::count_if(at_[v].begin(), at_[v].end(), [&](int u) { return !faces_out(u); });
+    for (int w : neighbours(v, v).own) {
+      if (!neighbours(v, w).closed) continue;
+      Draw draw{0, (position(v) - position(w)).norm(), v, w};
+      bool flat = false;
+      for (int u : at_[v]) {
+        if (triangles[u].has(w)) continue;
+        std::array<int, 3> made = triangles[u].vertex;
+        std::replace(made.begin(), made.end(), v, w);
+        draw.inward += !faces_out(made, triangles[u].face, 0.0);
+        flat = flat || slenderness(made) < std::min(kFlat, slenderness(triangles[u].vertex));
+      }
+      if (flat || draw.inward >= inward) continue;
+      if (best.from < 0 || std::tie(draw.inward, draw.length) < std::tie(best.inward, best.length))
+        best = draw;
+    }
+  }
+  if (best.from < 0) return false;
+  replace(best.from, best.onto);
   return true;
 }
 

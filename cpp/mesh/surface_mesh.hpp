@@ -73,6 +73,13 @@ class SurfaceMesh {
   /// two, and the surface keeps its holes and handles. Nothing is asked of the triangles made.
   bool merge(int v, int w);
 
+  /// Draws a vertex inside the face of triangle `t`, which faces inwards, onto a neighbour so that fewer of
+  /// the triangles around face inwards. Samples fold like that where a face ends in a sharp corner. Returns
+  /// whether it did.
+  bool unfold(int t);
+  /// Whether triangle `t` faces out of its first solid, as its face does there.
+  bool faces_out(int t) const { return faces_out(triangles[t].vertex, triangles[t].face, 0.0); }
+
   /// Exchanges the edge (a, b) inside a face for the other diagonal, if the angles opposite ask for it
   /// (Delaunay) and the surface allows it. Returns whether it did.
   bool flip(int a, int b, double chord);

@@ -2,7 +2,10 @@
 #include "mesh/surface_remeshing.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <sstream>
 
+#include "core/error.hpp"
 #include "mesh/surface_sizes.hpp"
 #include "mesh/triangle_crossings.hpp"
 
@@ -136,6 +139,14 @@ void part_faces(SurfaceMesh& mesh, RunControl& control) {
   }
 }
 
+/// Takes away vertices inside faces whose triangles face inwards. Each lowers the number of such triangles.
+void unfold(SurfaceMesh& mesh, RunControl& control) {
+  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+    if (t % kPoll == 0) control.check();
+    if (mesh.triangles[t].alive() && !mesh.faces_out(t)) mesh.unfold(t);
+  }
+}
+
 /// Splits, collapses and flips edges and moves vertices until edges have the size wanted at their ends.
 void remesh(SurfaceMesh& mesh, const SurfaceRemeshingOptions& options, RunControl& control) {
   constexpr int kMostRounds = 12;
@@ -143,6 +154,7 @@ void remesh(SurfaceMesh& mesh, const SurfaceRemeshingOptions& options, RunContro
   for (int round = 0; round < kMostRounds; ++round) {
     control.check();
     make_surface_delaunay(mesh, control);
+    unfold(mesh, control);
     const int collapsed = collapse_short_edges(mesh, options, control);
     const int split = split_long_edges(mesh, options, control);
     limit_growth(mesh, options.growth, control);
@@ -153,6 +165,7 @@ void remesh(SurfaceMesh& mesh, const SurfaceRemeshingOptions& options, RunContro
     if (collapsed + split <= kDone * alive) break;
   }
   make_surface_delaunay(mesh, control);
+  unfold(mesh, control);
 }
 
 /// The edge of a triangle that strays most from its face or crease; {-1, -1} where none does.
@@ -197,10 +210,25 @@ void resolve_touch(SurfaceMesh& mesh, int t, int u) {
   }
 }
 
+[[noreturn]] void refuse_crossing(const SurfaceMesh& mesh, const std::array<int, 2>& pair) {
+  const SurfaceTriangle &first = mesh.triangles[pair[0]], &second = mesh.triangles[pair[1]];
+  std::ostringstream text;
+  text << "Face" << std::min(first.face, second.face);
+  if (first.face == second.face)
+    text << " folds over itself";
+  else
+    text << " and Face" << std::max(first.face, second.face) << " cut each other";
+  text << " near " << Shown{mesh.position(first.vertex[0])}
+       << " mm, however fine the mesh is there; lower MaxSize and MinSize, or redraw the face";
+  throw GeometryError(text.str());
+}
+
 /// Coarse triangles of two curved walls may cut each other: splits them, which brings both nearer to their
-/// true faces, until none do.
+/// true faces, until none do. Where that makes more and more crossings the faces themselves are at fault.
 void separate(SurfaceMesh& mesh, const SurfaceRemeshingOptions& options, RunControl& control) {
   constexpr int kMostRounds = 12;
+  constexpr std::size_t kMany = 40, kDiverging = 3;  // crossings; times the fewest so far
+  std::size_t fewest = std::numeric_limits<std::size_t>::max();
   for (int round = 0; round < kMostRounds; ++round) {
     control.check();
     std::vector<int> alive;
@@ -215,6 +243,8 @@ void separate(SurfaceMesh& mesh, const SurfaceRemeshingOptions& options, RunCont
           crossings.push_back({u, t});
         });
     if (crossings.empty()) return;
+    fewest = std::min(fewest, crossings.size());
+    if (crossings.size() > std::max(kMany, kDiverging * fewest)) refuse_crossing(mesh, crossings.front());
     for (const auto& [t, u] : crossings) {
       edges.push_back(worst_edge(mesh, t, options));
       if (mesh.triangles[t].alive()) resolve_touch(mesh, t, u);
@@ -231,10 +261,14 @@ void separate(SurfaceMesh& mesh, const SurfaceRemeshingOptions& options, RunCont
 
 void make_surface_delaunay(SurfaceMesh& mesh, RunControl& control) {
   constexpr int kMostPasses = 8;
+  // Of new triangles by the number of old ones. In a plane flips come to an end; on a coarse bent surface a
+  // ring of them may not. What they leave is less than Delaunay, but no worse than before.
+  constexpr std::size_t kMostNew = 30;
+  const std::size_t most = (kMostNew + 1) * mesh.triangles.size();
   int count = 1;
   for (int pass = 0; pass < kMostPasses && count > 0; ++pass) {
     count = 0;
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (std::size_t t = 0; t < mesh.triangles.size() && mesh.triangles.size() < most; ++t) {
       if (t % kPoll == 0) control.check();
       for (int i = 0; i < 3 && mesh.triangles[t].alive(); ++i) {
         const int a = mesh.triangles[t].vertex[i], b = mesh.triangles[t].vertex[(i + 1) % 3];

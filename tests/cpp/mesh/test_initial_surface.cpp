@@ -86,6 +86,36 @@ TEST(SurfaceFlip, PartsATriangleThatIsTurnedOverFromItsNeighbour) {
   EXPECT_NEAR(area, 8.0 - 6.0, 1e-12);
 }
 
+TEST(SurfaceUnfold, TakesAwayAVertexThatLiesBeyondTheTrianglesAroundIt) {
+  const test::BoxSolid box({{0, 0, 0}, {10, 10, 10}});
+  const SampledBoundary all = box.samples();
+  SampledBoundary samples;
+  samples.bounds = all.bounds;
+  // A square on top of the box, and a vertex below its lower side.
+  samples.points = {{2, 2, 10}, {8, 2, 10}, {8, 8, 10}, {2, 8, 10}, {5, 1.5, 10}};
+  samples.triangles = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
+  for (std::size_t t = 0; t < all.triangles.size() && samples.triangle_face.empty(); ++t) {
+    const std::array<int, 3>& v = all.triangles[t];
+    if (!std::all_of(v.begin(), v.end(), [&](int i) { return all.points[i].z() > 9.99; })) continue;
+    samples.triangle_face.assign(4, all.triangle_face[t]);
+    samples.triangle_solids.assign(4, all.triangle_solids[t]);
+  }
+  MeshState state(box, kField, 0.1, samples.bounds.diagonal());
+  SurfaceMesh surface(state, samples);
+  for (int corner = 0; corner < 4; ++corner) surface.vertices[corner].carrier = {0, corner + 1};
+  ASSERT_FALSE(surface.faces_out(0));
+  ASSERT_TRUE(surface.unfold(0));
+  EXPECT_TRUE(surface.at(4).empty());
+  double area = 0.0;
+  for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t) {
+    if (!surface.triangles[t].alive()) continue;
+    EXPECT_TRUE(surface.faces_out(t));
+    const auto& [a, b, c] = surface.triangles[t].vertex;
+    area += 0.5 * area_vector(surface.position(a), surface.position(b), surface.position(c)).norm();
+  }
+  EXPECT_NEAR(area, 36.0, 1e-12);
+}
+
 TEST(RemeshedSurface, FollowsTheCurvature) {
   // The sagitta of a chord of length h is h^2 / 8R, so that these allow 2.8 and 0.9 mm.
   const test::BallSolid ball(10.0);
