@@ -5,6 +5,7 @@
 #include "mesh/laplacian_smoothing.hpp"
 #include "mesh/steiner_points.hpp"
 #include "mesh/swap_pass.hpp"
+#include "mesh/worst_angles.hpp"
 #include "mesh/worst_first.hpp"
 
 namespace fgmesh {
@@ -128,6 +129,25 @@ class Freeze {
   std::vector<bool> was_frozen_;
 };
 
+/// Brings threshold and angles in order, and again where that has moved the boundary away from the true one.
+void mend(MeshState& state, const GeometryRefinementOptions& options, RunControl& control) {
+  const TetScore score(state, options.goal);
+  WorstFirst mender(state, score);
+  constexpr int kMostRepairs = 12;
+  for (int repair = 0; repair < kMostRepairs; ++repair) {
+    if (repair == 1) mender.allow_insertion();
+    control.report(0.7 + 0.3 * repair / kMostRepairs, state.complex.tet_count());
+    const int left = mender.run(6, control);
+    const int above = count_above(state, state.threshold());
+    int changed = split_boundary(state, options, control);
+    if (above > 0)
+      changed += insert_steiner_points(state, state.threshold(), std::max(8, above / 4), control);
+    changed += split_long_edges(state, options.goal.longest_edge, control);
+    if (changed == 0 && (left == 0 || repair > 3)) return;
+  }
+  mender.run(10, control);
+}
+
 }  // namespace
 
 double facet_deviation(const MeshState& state, int t, int face) {
@@ -153,21 +173,13 @@ void refine_geometry(MeshState& state, const GeometryRefinementOptions& options,
     approach_boundary(state, options, control);
   }
 
-  const TetScore score(state, options.goal);
-  WorstFirst mender(state, score);
-  constexpr int kMostRepairs = 12;
-  for (int repair = 0; repair < kMostRepairs; ++repair) {
-    if (repair == 1) mender.allow_insertion();
-    control.report(0.7 + 0.3 * repair / kMostRepairs, state.complex.tet_count());
-    const int left = mender.run(6, control);
-    const int above = count_above(state, state.threshold());
-    int changed = split_boundary(state, options, control);
-    if (above > 0)
-      changed += insert_steiner_points(state, state.threshold(), std::max(8, above / 4), control);
-    changed += split_long_edges(state, options.goal.longest_edge, control);
-    if (changed == 0 && (left == 0 || repair > 3)) return;
+  mend(state, options, control);
+  constexpr int kMostPasses = 3;
+  for (int pass = 0; pass < kMostPasses; ++pass) {
+    if (raise_worst_angles(state, options.goal, control) == 0 || split_boundary(state, options, control) == 0)
+      return;
+    mend(state, options, control);
   }
-  mender.run(10, control);
 }
 
 }  // namespace fgmesh

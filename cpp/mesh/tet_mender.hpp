@@ -31,10 +31,12 @@ class TetMender {
   /// Looks for a better place of one vertex. Returns whether its star's worst score rose.
   bool improve_vertex(int v);
 
+  /// A unit vector; the next of the sequence that the seed begins.
+  Vec3 random_direction();
+
  private:
   bool collapse(int t);
   bool insert_vertex(int t);
-  Vec3 random_direction();
   bool is_promising(int v, const Vec3& way, double best) const;
   double star_score(int v, const Vertex& moved, double stop_below) const;
 

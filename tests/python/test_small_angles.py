@@ -123,7 +123,8 @@ def test_a_sharp_edge_forces_small_angles(shape, degrees, thickness):
 
 
 def test_a_sharp_corner_of_a_face_forces_small_angles():
-    result = meshed(chisel(), min_size=0.6)  # else walls are refined until no angle is small
+    # Else walls are refined until no angle is small; and later stages have ways around a corner.
+    result = meshed(chisel(), min_size=0.6, stop_after="initial")
     angle = 2 * math.degrees(math.atan(0.12 / math.hypot(10, 5)))
     (message,) = (message for message in result.messages if "the shape forces" in message)
     assert "two edges of Face" in message and f" meet at {angle:.3g} degrees at (0, 0, 10) mm" in message
