@@ -116,7 +116,7 @@ def test_signal_while_the_mesh_is_written(started, tmp_path, changed_fgmesh, num
     program = changed_fgmesh(
         "import os, time\n"
         "from freecad.fgmesh.io import mesh_file\n"
-        "def write(result, path):\n"
+        "def write(mesh, fields, path):\n"
         "    open(path, 'w').write('half')\n"
         "    print('half', file=sys.stderr, flush=True)\n"
         "    time.sleep(60)\n"
