@@ -11,7 +11,7 @@ sys.path.insert(0, os.path.dirname(__file__))  # of modules that tests share
 
 # FreeCAD's Python modules: PartDesign, Sketcher and Boolean fragments need theirs even without a GUI; so does its
 # writer of decks for CalculiX.
-sys.path += [f"/usr/share/freecad/{folder}" for folder in ("Mod", "Mod/Fem", "Mod/Part", "Ext")]
+sys.path += [f"/usr/share/freecad/{folder}" for folder in ("Mod", "Mod/Fem", "Mod/Part", "Mod/Draft", "Ext")]
 
 
 @pytest.fixture

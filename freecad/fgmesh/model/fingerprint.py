@@ -30,7 +30,7 @@ def take(solid, values):
         "parts": [
             {"name": part.Name, "placement": _numbers(part.Placement), **_material(part)}
             for part, _ in graded_parts(solid)
-            if part != solid
+            if part not in (solid, graded_solid.holder(solid))
         ],
         "options": options,
     }

@@ -1,98 +1,130 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Materials of objects with several solids: one for all, or those of the objects that they were made of."""
+"""Materials of objects with several solids: one for all, or those of the objects that they were made of, each where
+its copy stands."""
 import FreeCAD
 
 from freecad.fgmesh import core
+from freecad.fgmesh.model import instances
 from freecad.fgmesh.model.graded_solid import has_material, material_of
-
-_PART_LISTS = ("Links", "Objects")
-"""Properties with the objects that a Part compound, or Boolean fragments, an XOR or a slice, is made of."""
-
-_SAME = 1e-6  # of the size: solids that differ by less are the same
 
 
 def graded_parts(thing):
-    """[(object, placement)]: the objects whose materials hold in `thing`, in the order of its parts.
+    """[(object, user)]: the objects whose materials hold in `thing`, in the order of its parts, each with the link,
+    array or compound that it is a part of.
 
-    `thing` alone where it has a material itself; else those of its parts, and of theirs, that have one. The
-    placement leads from the coordinates of object.Shape to those of thing.Shape.
+    `thing` alone where it has a material itself; else those of its parts, and of theirs, that have one.
     """
-    return list(_graded_parts(thing, FreeCAD.Placement()))
+    return list(_graded_parts(thing, thing))
 
 
-def _graded_parts(thing, placement):
-    if has_material(thing):
-        yield thing, placement
+def _graded_parts(thing, user):
+    if _has_own_material(thing):
+        yield thing, user
         return
-    lists = [getattr(thing, name, None) for name in _PART_LISTS]
-    for part in [part for parts in lists if isinstance(parts, list) for part in parts]:
-        if hasattr(part, "Shape"):
-            yield from _graded_parts(part, placement.multiply(thing.Placement))
+    for part in instances.sources_of(thing)[1]:
+        yield from _graded_parts(part, thing)
 
 
 def owners_of(thing):
-    """[(object, placement)] for each solid of thing.Shape, in order: whose material holds there, as graded_parts()
-    gives it. Raises core.InvalidInput where a solid has none."""
-    parts = graded_parts(thing)
-    if not parts:
-        raise core.InvalidInput(f"{thing.Label} has no graded material: give it one with attach_material()")
-    solids = thing.Shape.Solids
-    if parts[0][0] == thing:
-        return parts * len(solids)
-    return [parts[_owner(solid, number, parts, thing)] for number, solid in enumerate(solids, 1)]
+    """[(object, placement)] for each solid of thing.Shape, in order: whose material holds there, and what leads from
+    the coordinates of object.Shape to those of thing.Shape. The same pair where both are the same.
+
+    Raises core.InvalidInput where a solid has none."""
+    owners = _owners(thing)
+    if not any(owners):
+        raise core.InvalidInput(no_material(thing))
+    if None in owners:
+        raise core.InvalidInput(
+            f"Solid{owners.index(None) + 1} of {thing.Label} lies in no object with a graded material: give its object "
+            f"one with attach_material(), or {thing.Label} itself one for all solids"
+        )
+    return owners
 
 
 def materials_of(thing):
     """What `core.generate_mesh` takes as material for thing.Shape: a core.Material, or a list with that of each
     solid. Raises core.InvalidInput where a solid has none."""
-    if has_material(thing):
+    if _has_own_material(thing):
         return material_of(thing)
     owners = owners_of(thing)
     made = {id(part): material_of(*part) for part in owners}  # a part may stand in two places
     return [made[id(part)] for part in owners]
 
 
-def _owner(solid, number, parts, thing):
-    """Which of `parts` a solid is, or else the first that it lies in: a fragment of it."""
-    shapes = []
-    for part, placement in parts:
-        shape = part.Shape.copy(False)
-        shape.Placement = placement.multiply(shape.Placement)
-        shapes.append(shape)
-    for place, shape in enumerate(shapes):
-        if any(_is_same(solid, other) for other in shape.Solids):
-            return place
-    point = _inner_point(solid)
-    tolerance = _SAME * solid.BoundBox.DiagonalLength
-    for place, shape in enumerate(shapes):
-        if point and any(other.isInside(point, tolerance, False) for other in shape.Solids):
-            return place
-    raise core.InvalidInput(
-        f"Solid{number} of {thing.Label} lies in no object with a graded material: give its object one with "
-        f"attach_material(), or {thing.Label} itself one for all solids"
-    )
+def no_material(thing):
+    """What is said of an object that has no material."""
+    graded = [part.Label for part in getattr(thing, "OutListRecursive", []) if has_material(part)]
+    if graded:
+        return (
+            f"{thing.Label} does not take over the material of {graded[0]}, from which it is made: give {thing.Label} a "
+            f"graded material of its own with attach_material(); its coordinates are those of {thing.Label}"
+        )
+    return f"{thing.Label} has no graded material: give it one with attach_material()"
 
 
-def _is_same(solid, other):
-    size = solid.BoundBox.DiagonalLength
+def _has_own_material(thing):
     return (
-        abs(solid.Volume - other.Volume) < _SAME * solid.Volume
-        and abs(solid.Area - other.Area) < _SAME * solid.Area
-        and solid.CenterOfMass.distanceToPoint(other.CenterOfMass) < _SAME * size
-    )
+        has_material(thing) and "FGMFractions" in thing.PropertiesList
+    )  # links show their originals' properties
 
 
-def _inner_point(solid):
-    """A point inside, a little below a face; None where none is found."""
-    size = solid.BoundBox.DiagonalLength
-    for depth in (1e-2, 1e-3, 1e-4):
-        for face in solid.Faces:
-            u_low, u_high, v_low, v_high = face.ParameterRange
-            for u_part, v_part in ((0.5, 0.5), (0.3, 0.4), (0.6, 0.7)):
-                u, v = u_low + u_part * (u_high - u_low), v_low + v_part * (v_high - v_low)
-                if not face.isPartOfDomain(u, v):
-                    continue
-                point = face.valueAt(u, v) - face.normalAt(u, v) * (depth * size)
-                if solid.isInside(point, _SAME * size, False):
-                    return point
+def _owners(thing):
+    """As owners_of() gives them, but None for a solid without a material."""
+    solids = thing.Shape.Solids
+    if _has_own_material(thing):
+        return [(thing, FreeCAD.Placement())] * len(solids)
+    kind, sources = instances.sources_of(thing)
+    originals = [
+        (solid, owner)
+        for source in sources
+        if graded_parts(source)
+        for solid, owner in zip(source.Shape.Solids, _owners(source))
+    ]
+    if not originals:
+        return [None] * len(solids)
+    if kind == instances.COPIES:
+        return _owners_of_copies(thing, solids, sources)
+    moved = _moved(originals, thing.Placement)
+    return [_owner_in_place(solid, moved, kind) for solid in solids]
+
+
+def _owners_of_copies(thing, solids, sources):
+    instances.check_not_scaled(thing)
+    originals = [pair for source in sources for pair in zip(source.Shape.Solids, _owners(source))]
+    found, made = [], {}
+    for number, solid in enumerate(solids):
+        original, owner = originals[number % len(originals)]
+        move = instances.move_of(solid, original) if len(solids) % len(originals) == 0 else None
+        if move is None:
+            raise core.InvalidInput(
+                f"Solid{number + 1} of {thing.Label} is no copy of a solid of {sources[0].Label}, whose material it would "
+                f"have: recompute the document, or give {thing.Label} a graded material of its own"
+            )
+        key = (id(owner), *move.Base, *move.Rotation.Q)
+        if owner is not None and key not in made:
+            made[key] = (owner[0], move.multiply(owner[1]))
+        found.append(made.get(key))
+    return found
+
+
+def _moved(originals, placement):
+    """[(solid, owner)] with both moved by `placement`; one that stands in several pairs stays one."""
+    found, made = [], {None: None}
+    for original, owner in originals:
+        shape = original.copy(False)
+        shape.Placement = placement.multiply(shape.Placement)
+        key = owner and id(owner)
+        if key not in made:
+            made[key] = (owner[0], placement.multiply(owner[1]))
+        found.append((shape, made[key]))
+    return found
+
+
+def _owner_in_place(solid, originals, kind):
+    """The owner of the original that `solid` is, or else of the first that it is a piece of."""
+    tests = [instances.is_same] + ([instances.lies_in] if kind == instances.FRAGMENTS else [])
+    for test in tests:
+        for shape, owner in originals:
+            if test(solid, shape):
+                return owner
     return None

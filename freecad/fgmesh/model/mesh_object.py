@@ -12,7 +12,7 @@ import numpy as np
 
 from freecad.fgmesh import core
 from freecad.fgmesh.model import fingerprint, presentation, stored
-from freecad.fgmesh.model.graded_parts import graded_parts
+from freecad.fgmesh.model.graded_parts import graded_parts, no_material
 from freecad.fgmesh.model.kept_meshes import KeptMeshes
 from freecad.fgmesh.model.options import OPTIONS, add_missing_options, option_values
 from freecad.fgmesh.model.stateless import Stateless
@@ -85,7 +85,7 @@ def make_mesh(document, solid, name="FGMesh"):
     if getattr(solid, "Document", None) != document:
         raise core.InvalidInput("the mesh and its solid must be in the same document")
     if not graded_parts(solid):
-        raise core.InvalidInput(f"{solid.Label} has no graded material: give it one with attach_material()")
+        raise core.InvalidInput(no_material(solid))
     with transaction(document, "Make graded mesh"):
         mesh = document.addObject(_TYPE, name)
         mesh.addProperty("App::PropertyLinkGlobal", "Shape", "Meshing", "The graded solid")
