@@ -32,6 +32,14 @@
       <translation>; nur {} MB Speicher sind frei</translation>
     </message>
     <message>
+      <source>; that takes about {}</source>
+      <translation>; das dauert etwa {}</translation>
+    </message>
+    <message>
+      <source>; this stage about {} more</source>
+      <translation>; diese Stufe noch etwa {}</translation>
+    </message>
+    <message>
       <source>A parameter has no name: write one beside its value {}, or remove it</source>
       <translation>Ein Parameter hat keinen Namen: Schreiben Sie einen neben seinen Wert {}, oder entfernen Sie ihn</translation>
     </message>
@@ -62,6 +70,10 @@
     <message>
       <source>Anisotropy</source>
       <translation>Anisotropie</translation>
+    </message>
+    <message>
+      <source>Anisotropy {}</source>
+      <translation>Anisotropie {}</translation>
     </message>
     <message>
       <source>As the linear one, to the power n</source>
@@ -102,6 +114,10 @@
     <message>
       <source>Click on d{} ...</source>
       <translation>d{} anklicken ...</translation>
+    </message>
+    <message>
+      <source>Colours of the composition</source>
+      <translation>Farben der Zusammensetzung</translation>
     </message>
     <message>
       <source>Constituent {}</source>
@@ -252,6 +268,10 @@
       <translation>Max. Elementgröße</translation>
     </message>
     <message>
+      <source>Largest size {}</source>
+      <translation>Größte Kantenlänge {}</translation>
+    </message>
+    <message>
       <source>Largest variation</source>
       <translation>Größte Variation</translation>
     </message>
@@ -282,6 +302,10 @@
     <message>
       <source>Material threshold</source>
       <translation>Materialschwelle</translation>
+    </message>
+    <message>
+      <source>Material threshold {}</source>
+      <translation>Materialschwelle {}</translation>
     </message>
     <message>
       <source>Materials: {}, properties within {} % of the mixtures</source>
@@ -348,8 +372,8 @@
       <translation>Ursprung und z-Achse des Bezugssystems brauchen je drei Zahlen, etwa 0, 0, 1, und die Achse nicht drei Nullen</translation>
     </message>
     <message>
-      <source>Origin of the frame in the solid's own coordinates, mm: x, y, z</source>
-      <translation>Ursprung des Bezugssystems in den eigenen Koordinaten des Festkörpers, mm: x, y, z</translation>
+      <source>Origin of the frame in the solid's own coordinates: x, y, z, with or without units, as in 0, 0, 1 in</source>
+      <translation>Ursprung des Bezugssystems in den eigenen Koordinaten des Körpers: x, y, z, mit oder ohne Einheit, wie in 0, 0, 1 in</translation>
     </message>
     <message>
       <source>Parameter</source>
@@ -500,6 +524,10 @@
       <translation>Flächenabweichung</translation>
     </message>
     <message>
+      <source>Surface deviation {}</source>
+      <translation>Oberflächenabweichung {}</translation>
+    </message>
+    <message>
       <source>Tables (*.csv *.txt *.dat *.tsv);;All files (*)</source>
       <translation>Tabellen (*.csv *.txt *.dat *.tsv);;Alle Dateien (*)</translation>
     </message>
@@ -526,6 +554,10 @@
     <message>
       <source>The last of the three stages to run</source>
       <translation>Die letzte der drei Stufen, die läuft</translation>
+    </message>
+    <message>
+      <source>The solid is being triangulated</source>
+      <translation>Der Körper wird in Dreiecke zerlegt</translation>
     </message>
     <message>
       <source>The solid's own coordinates</source>
@@ -726,6 +758,10 @@ max {max:.4f}</translation>
       <translation>t1 ist der Wert der ersten an einem Punkt, t2 der der zweiten und so weiter</translation>
     </message>
     <message>
+      <source>taking the mesh into the document</source>
+      <translation>Übernahme des Netzes in das Dokument</translation>
+    </message>
+    <message>
       <source>tetrahedra</source>
       <translation>Tetraeder</translation>
     </message>
@@ -782,12 +818,20 @@ max {max:.4f}</translation>
       <translation>{} hat seinen Festkörper verloren: Setzen Sie Shape auf einen gradierten Festkörper</translation>
     </message>
     <message>
+      <source>{} so far</source>
+      <translation>bisher {}</translation>
+    </message>
+    <message>
       <source>{} tetrahedra, variation up to {}, angles from {} to {} degrees</source>
       <translation>{} Tetraeder, Variation bis {}, Winkel von {} bis {} Grad</translation>
     </message>
     <message>
       <source>{} to {}</source>
       <translation>{} bis {}</translation>
+    </message>
+    <message>
+      <source>{}: about {}</source>
+      <translation>{}: etwa {}</translation>
     </message>
     <message>
       <source>{}: {} is no length; write for example 0.5 mm</source>

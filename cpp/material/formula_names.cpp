@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <vector>
@@ -25,6 +26,18 @@ struct NamedConstant {
 };
 constexpr std::array<NamedConstant, 2> kConstants = {
     {{"pi", 3.141592653589793116}, {"e", 2.718281828459045091}}};
+
+constexpr NamedConstant kUnits[] = {{"nm", 1e-6},
+                                    {"um", 1e-3},
+                                    {"mm", 1.0},
+                                    {"cm", 10.0},
+                                    {"m", 1e3},
+                                    {"thou", 0.0254},
+                                    {"in", 25.4},
+                                    {"ft", 304.8},
+                                    {"yd", 914.4},
+                                    {"rad", 1.0},
+                                    {"deg", 1.7453292519943295e-2}};
 
 bool is_identifier(std::string_view name) {
   return !name.empty() && is_letter(name[0]) &&
@@ -82,6 +95,16 @@ std::optional<Variable> find_variable(std::string_view name) {
 
 std::string_view variable_name(Variable coordinate) {
   return kVariableNames[static_cast<std::size_t>(coordinate)];
+}
+
+std::optional<Constant> find_unit(std::string_view name) {
+  const auto* const found = std::find_if(std::begin(kUnits), std::end(kUnits),
+                                         [&](const NamedConstant& unit) { return unit.name == name; });
+  if (found == std::end(kUnits)) return std::nullopt;
+  const double value = found->value;
+  if (value == std::floor(value)) return Constant{value, Interval::point(value)};
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return Constant{value, {std::nextafter(value, -infinity), std::nextafter(value, infinity)}};
 }
 
 std::optional<Constant> find_constant(std::string_view name) {

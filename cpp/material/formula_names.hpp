@@ -45,6 +45,10 @@ struct Constant {
 
 std::optional<Constant> find_constant(std::string_view name);
 
+/// What a number with the unit `name` behind it is multiplied by to be in mm or radians. Units are no names
+/// otherwise: a parameter may be called "mm".
+std::optional<Constant> find_unit(std::string_view name);
+
 /// "d1", "s2", ... where the number is at most 9999.
 std::optional<ReferenceDistance> find_reference(std::string_view name);
 

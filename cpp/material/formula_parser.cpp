@@ -171,7 +171,12 @@ Operand FormulaParser::primary() {
   const Token token = token_;
   if (token.kind == Token::Kind::kNumber) {
     advance();
-    return builder_.constant({token.number, Interval::point(token.number)});
+    const Operand number = builder_.constant({token.number, Interval::point(token.number)});
+    const auto unit = token_.kind == Token::Kind::kName ? find_unit(token_.text) : std::nullopt;
+    if (!unit) return number;
+    advance();
+    if (token_.is("^")) fail_at(token_.position, "put parentheses around a number with a unit: (2 cm)^2");
+    return apply(*find_operator("*"), {number, builder_.constant(*unit)});
   }
   if (token.kind != Token::Kind::kName) fail_no_value();
   advance();

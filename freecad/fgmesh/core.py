@@ -41,6 +41,8 @@ from freecad.fgmesh._core import (
     RunControl,
     SampledTable,
     caret_excerpt,
+    reach_points,
+    shown_triangles,
     versions,
 )
 from freecad.fgmesh import input_file
@@ -66,11 +68,13 @@ __all__ = [
     "estimate",
     "frame_rotation",
     "generate_mesh",
+    "reach_points",
     "read_references",
     "read_shape",
     "read_table",
     "references",
     "report",
+    "shown_triangles",
     "table_text",
     "table_texts",
     "versions",

@@ -78,3 +78,31 @@ def test_documents_from_before_groups_get_them(mesh, tmp_path):
         assert (old.TetCount, old.Status.split(":")[0]) == (tets, "ok")
     finally:
         FreeCAD.closeDocument(document.Name)
+
+
+def test_the_fem_mesh_can_be_made_in_steps(document, build_dir):
+    """And what is not done is done when it is stored."""
+    from freecad.fgmesh.fem import background, fem_mesh
+    import freecad.fgmesh as fgmesh
+
+    box = document.addObject("Part::Box", "Box")
+    document.recompute()
+    fgmesh.attach_material(box, "z/10")
+    mesh = fgmesh.make_mesh(document, box)
+    mesh.MaterialThreshold = 0.1
+    values = background.option_values(mesh)
+    with background.BackgroundRun(box, values) as run:
+        while not run.wait(0.1):
+            pass
+        steps = run.request.prepare(run.result())
+        done = [next(steps), next(steps)]
+        assert 0 < done[0] < done[1] <= 1
+        background.adopt(run)
+        result = fgmesh.generate(mesh)
+    whole = fem_mesh.to_fem_mesh(result, values["Groups"])
+    for count in ("NodeCount", "VolumeCount", "FaceCount", "EdgeCount", "GroupCount"):
+        assert getattr(mesh.FemMesh, count) == getattr(whole, count)
+    assert mesh.FemMesh.VolumeCount == len(result.tets) and mesh.Status == "ok"
+    points, tets = fem_mesh.kept_points_and_tets(mesh)
+    again, read = fem_mesh.points_and_tets(mesh.FemMesh)
+    assert (points == again).all() and (tets == read).all()

@@ -99,3 +99,50 @@ def test_the_first_one_runs_along_the_longest_axis_of_the_frame(document, placem
     box.Placement = placement
     document.recompute()
     assert gradings.to_begin_with(box.Shape, box.Placement).name == name
+
+
+def _turned(degrees):
+    return FreeCAD.Placement(FreeCAD.Vector(1, 2, 3), FreeCAD.Rotation(FreeCAD.Vector(0, 1, 0), degrees))
+
+
+def _ball():
+    import Part
+
+    return Part.makeSphere(10, FreeCAD.Vector(6, 2, 3)), 10, [(-5, 15), (-10, 10), (-10, 10)], 15
+
+
+def _cap():
+    """What lies above z = 5 of a ball about (1, 2, 3): its rim is the widest."""
+    import Part
+
+    ball = Part.makeSphere(10, FreeCAD.Vector(1, 2, 3))
+    wide = math.sqrt(75)
+    return (
+        ball.common(Part.makeBox(40, 40, 40, FreeCAD.Vector(-19, -18, 8))),
+        wide,
+        [(-wide, wide), (-wide, wide), (5, 10)],
+        10,
+    )
+
+
+def _torus():
+    import Part
+
+    torus = Part.makeTorus(10, 3, FreeCAD.Vector(1, 2, 3))
+    return torus, 13, [(-13, 13), (-13, 13), (-3, 3)], 13
+
+
+@pytest.mark.parametrize("make", [_ball, _cap, _torus])
+@pytest.mark.parametrize("degrees", [0, 90])
+def test_reach_of_round_shapes(build_dir, make, degrees):
+    """In a frame at (1, 2, 3), whose z axis is that of the shape or its x axis."""
+    from freecad.fgmesh.model import gradings
+
+    shape, r_max, (x, y, z), d_max = make()
+    found = gradings.extent(shape, _turned(degrees))
+    expected = [x, y, z] if degrees == 0 else [(-z[1], -z[0]), y, x]
+    for axis in range(3):
+        assert (found.low[axis], found.high[axis]) == pytest.approx(expected[axis], abs=0.06)
+    assert found.d_max == pytest.approx(d_max, rel=5e-3)
+    if degrees == 0 and make is not _ball:
+        assert found.r_max == pytest.approx(r_max, rel=5e-3)

@@ -49,7 +49,8 @@ NAMES = ["box", "sphere", "torus", "cone", "plate", "ball in box", "neighbours",
 
 @pytest.fixture
 def model(build_dir):
-    from freecad.fgmesh.model import preview_shape, section
+    from freecad.fgmesh.model import preview_shape
+    from freecad.fgmesh.surfaces import section
 
     return SimpleNamespace(surface_of=preview_shape.surface_of, cut=section.cut)
 

@@ -139,3 +139,22 @@ def test_references_of_a_part_move_with_it(fgmesh, document, boxes, compound, pl
         fgmesh.attach_material(box, "d1/20", references=["Face5"])
     _, result = meshed(fgmesh, document, compound)
     assert np.allclose(result.tet_fractions[..., 0], local_points(result, placement)[..., 2] / 20, atol=1e-7)
+
+
+def test_both_materials_of_fragments_have_names(document):
+    from freecad.fgmesh.model.shown_quantities import fraction_titles
+
+    import freecad.fgmesh as fgmesh
+
+    box, ball = document.addObject("Part::Box", "Box"), document.addObject("Part::Sphere", "Ball")
+    document.recompute()
+    fgmesh.attach_material(box, "x/10", constituents=["Steel", "Brass"])
+    fgmesh.attach_material(ball, ["d/9", "0"], constituents=["Alumina", "Brass", "Tin"])
+    both = document.addObject("Part::Compound", "Both")
+    both.Links = [box, ball]
+    document.recompute()
+    assert fraction_titles(both, 3) == [
+        "fraction of Steel / Alumina",
+        "fraction of Brass",
+        "fraction of Tin",
+    ]

@@ -27,7 +27,7 @@ LIBRARIES = {
 }
 """Library: its headers, and the folders of cpp/ that may include them."""
 
-MODEL = {"adapter", "core", "mixing", "model"}
+MODEL = {"adapter", "core", "mixing", "model", "surfaces"}
 PYTHON_LAYERS = {
     "adapter": set(),
     "own_namespace": set(),
@@ -38,11 +38,12 @@ PYTHON_LAYERS = {
     "core": {"_core", "input_file", "sampled_table"},
     "io": {"core"},
     "mixing": {"core"},
-    "worker": {"core", "system_limits"},
+    "surfaces": {"core"},
+    "worker": {"core", "surfaces", "system_limits"},
     "cli": {"core", "input_file", "io", "system_limits", "worker"},
     "__main__": {"cli"},
     "pictures": {"colours", "core", "io"},
-    "model": {"adapter", "core", "mixing"},
+    "model": {"adapter", "core", "mixing", "surfaces"},
     "fem": MODEL | {"io", "worker"},
     "view": MODEL | {"colours", "fem"},
     "panels": MODEL | {"colours", "fem", "io", "pictures", "view", "worker"},
@@ -61,6 +62,7 @@ WITHOUT_FREECAD = {
     "system_limits",
     "io",
     "mixing",
+    "surfaces",
     "worker",
     "cli",
     "__main__",

@@ -7,6 +7,7 @@ from types import SimpleNamespace
 import pytest
 
 from freecad.fgmesh.cli import progress, summary
+from freecad.fgmesh.worker.remaining import RemainingTime
 
 
 class Terminal(io.StringIO):
@@ -23,6 +24,24 @@ def state(stage, fraction=0.0, tets=0, expected_tets=0):
 def test_bar_fits_its_line(fraction, columns):
     line = progress.bar_line(state("material", fraction, 123_456_789), 1234.5, columns)
     assert len(line) <= columns and "\n" not in line
+
+
+@pytest.mark.parametrize(
+    "states, expected",
+    [
+        ([("material", 0.0, 0), ("material", 0.25, 10)], "stage about 30 s more"),  # three quarters are left
+        ([("initial", 0.5, 0), ("material", 0.0, 40), ("material", 0.5, 43)], "stage about 3 s more"),
+        ([("material", 0.0, 0), ("material", 0.2, 600)], "stage about 40 min more"),
+        ([("material", 0.0, 0), ("material", 0.01, 10)], None),  # too early
+        ([("material", 0.0, 0), ("material", 0.5, 1)], None),
+    ],
+)
+def test_time_to_come_follows_from_time_gone(states, expected):
+    remaining = RemainingTime()
+    for stage, fraction, now in states:
+        left = remaining.seconds(stage, fraction, now)
+    line = progress.bar_line(state(stage, fraction), now, 120, left)
+    assert (expected is None and "more" not in line) or (expected or "none") in line
 
 
 def test_bar_grows():

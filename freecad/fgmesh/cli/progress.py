@@ -5,6 +5,8 @@ import shutil
 import sys
 import time
 
+from freecad.fgmesh.worker.remaining import RemainingTime, rough_time
+
 LINE_SECONDS = 10.0
 """Plain lines go to log files: one at the start of each stage, then one in this time."""
 
@@ -32,11 +34,14 @@ class ProgressBar(NoProgress):
     def __init__(self, stream):
         self._stream = stream
         self._start = time.monotonic()
+        self._remaining = RemainingTime()
 
     def show(self, progress):
         if progress.stage:
             columns = shutil.get_terminal_size().columns
-            _write(self._stream, f"\r{bar_line(progress, time.monotonic() - self._start, columns - 1)}\x1b[K")
+            elapsed = time.monotonic() - self._start
+            left = self._remaining.seconds(progress.stage, progress.fraction, elapsed)
+            _write(self._stream, f"\r{bar_line(progress, elapsed, columns - 1, left)}\x1b[K")
 
     def close(self, progress=None):
         _write(self._stream, "\r\x1b[K")
@@ -48,13 +53,18 @@ class ProgressLines(NoProgress):
         self._start = time.monotonic()
         self._stage = ""
         self._next = 0.0
+        self._remaining = RemainingTime()
 
     def show(self, progress):
         elapsed = time.monotonic() - self._start
+        left = self._remaining.seconds(progress.stage, progress.fraction, elapsed)
         if progress.stage and (progress.stage != self._stage or elapsed >= self._next):
             self._stage, self._next = progress.stage, elapsed + LINE_SECONDS
             done = f" {100 * clamped(progress.fraction):.0f} %" if progress.fraction else ""
-            _write(self._stream, f"fgmesh: {elapsed:.1f} s, {progress.stage}{done}, {tets_of(progress)}\n")
+            more = "" if left is None else f", stage about {rough_time(left)} more"
+            _write(
+                self._stream, f"fgmesh: {elapsed:.1f} s, {progress.stage}{done}, {tets_of(progress)}{more}\n"
+            )
 
     def close(self, progress=None):
         # A stage shorter than the polling would otherwise never be told.
@@ -69,11 +79,13 @@ def _write(stream, text):
         stream.flush()
 
 
-def bar_line(progress, seconds, columns):
-    """One line of at most `columns` characters."""
+def bar_line(progress, seconds, columns, left=None):
+    """One line of at most `columns` characters. left: seconds that the stage is expected to take still."""
     fraction = clamped(progress.fraction)
     head = f"{progress.stage:9s}"
     tail = f" {100 * fraction:3.0f} %  {tets_of(progress)}  {seconds:.0f} s"
+    if left is not None:
+        tail += f", stage about {rough_time(left)} more"
     room = max(0, min(40, columns - len(head) - len(tail) - 3))
     filled = round(fraction * room)
     return f"{head} [{'#' * filled}{'.' * (room - filled)}]{tail}"[:columns]

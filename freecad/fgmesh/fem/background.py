@@ -4,8 +4,11 @@
 The document is only read at the start; nothing is in it before generate() stores the mesh. So a run that is
 cancelled, or fails, leaves no trace.
 """
+import Fem
+import numpy as np
+
 from freecad.fgmesh import core, worker
-from freecad.fgmesh.fem.fem_mesh import to_fem_mesh
+from freecad.fgmesh.fem.fem_mesh import fill
 from freecad.fgmesh.model import fingerprint, graded_parts, mesh_object
 from freecad.fgmesh.model.options import meshing_options, option_values
 from freecad.fgmesh.model.references import stored_links
@@ -24,11 +27,22 @@ class Request:
         self.solid, self.values = solid, values
         self.taken = fingerprint.take(solid, values)
         self.arguments = brep_text(solid.Shape), graded_parts.materials_of(solid), meshing_options(values)
+        self._fem_mesh = self._steps = None
+
+    def prepare(self, result):
+        """Yields again and again, after some hundredths of a second each, while the Fem mesh of `result`, which came of
+        this request, is made: the share that is done. What is not done then, store() does."""
+        if self._steps is None:
+            self._fem_mesh = Fem.FemMesh()
+            self._steps = fill(self._fem_mesh, result, self.values["Groups"])
+        yield from self._steps
 
     def store(self, mesh, result):
-        """Puts `result`, which came of this request, into the mesh object."""
-        fem_mesh = to_fem_mesh(result, self.values["Groups"])
-        mesh_object.store(mesh, fem_mesh, core.report(result), result.fractions, self.taken)
+        """Puts `result` into the mesh object."""
+        for _ in self.prepare(result):
+            pass
+        mesh_object.store(mesh, self._fem_mesh, core.report(result), result.fractions, self.taken)
+        mesh.Proxy.kept.arrays = mesh.Fingerprint, (np.array(result.points), np.array(result.tets))
 
 
 class BackgroundRun:

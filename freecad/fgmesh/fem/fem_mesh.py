@@ -17,6 +17,9 @@ _KINDS = ("Node", "Edge", "Face", "Volume")
 _OF_NODES = "_Nodes"
 """How the name of a group of nodes ends that belongs to one of elements, or to a vertex."""
 
+_CHUNK = 5000
+"""Nodes or elements between two steps: some hundredths of a second."""
+
 
 def to_fem_mesh(result, kinds=GROUP_KINDS):
     """Fem.FemMesh of a core.MeshingResult.
@@ -26,23 +29,45 @@ def to_fem_mesh(result, kinds=GROUP_KINDS):
     (volumes), `FaceN` (triangles), `EdgeN` (edges), and `SolidN_Nodes`, `FaceN_Nodes`, `EdgeN_Nodes`,
     `VertexN_Nodes`, as io.groups tells of them; of `kinds` alone. Seams and the edges that are but a point have no group.
     """
-    source, mesh = grouped(result), Fem.FemMesh()
-    for number, (x, y, z) in enumerate(source.points.tolist(), 1):
-        mesh.addNode(x, y, z, number)
-    first = 1
+    mesh = Fem.FemMesh()
+    for _ in fill(mesh, result, kinds):
+        pass
+    return mesh
+
+
+def fill(mesh, result, kinds=GROUP_KINDS):
+    """Makes `mesh`, an empty Fem.FemMesh, what to_fem_mesh() gives, in steps of some hundredths of a second: yields the
+    share that is done after each, from 0 to 1."""
+    source = grouped(result)
+    wanted = [group for group in source.groups if WORDS[group.dimension] in kinds]
+    total = len(source.points) + sum(len(source.cells(dimension)) for dimension in (1, 2, 3))
+    total += sum(len(source.nodes(group)) + len(group.members) * (group.dimension > 0) for group in wanted)
+    done = 0
+    for step in _steps(mesh, source, wanted):
+        done += step
+        yield done / max(total, 1)
+
+
+def _steps(mesh, source, wanted):
+    """Yields how many nodes, elements or members of groups each step has added."""
+    for first, rows in _chunks(source.points):
+        for number, (x, y, z) in enumerate(rows.tolist(), 1 + first):
+            mesh.addNode(x, y, z, number)
+        yield len(rows)
+    start = 1
     for dimension, add in ((3, mesh.addVolume), (2, mesh.addFace), (1, mesh.addEdge)):
         cells = source.cells(dimension)
         nodes = cells[:, _NODES[cells.shape[1]]] if dimension == 3 else cells
-        for number, row in enumerate((nodes + 1).tolist(), first):
-            add(row, number)
-        for group in source.of(dimension):
-            if WORDS[dimension] in kinds:
-                _add_group(mesh, group.name, _KINDS[dimension], group.members + first)
-        first += len(cells)
-    for group in source.groups:
-        if WORDS[group.dimension] in kinds:
-            _add_group(mesh, f"{group.name}{_OF_NODES}", _KINDS[0], source.nodes(group) + 1)
-    return mesh
+        for first, rows in _chunks(nodes):
+            for number, row in enumerate((rows + 1).tolist(), start + first):
+                add(row, number)
+            yield len(rows)
+        for group in wanted:
+            if group.dimension == dimension:
+                yield from _add_group(mesh, group.name, _KINDS[dimension], group.members + start)
+        start += len(cells)
+    for group in wanted:
+        yield from _add_group(mesh, f"{group.name}{_OF_NODES}", _KINDS[0], source.nodes(group) + 1)
 
 
 def points_and_tets(mesh):
@@ -50,6 +75,14 @@ def points_and_tets(mesh):
     points = np.array([tuple(point) for point in mesh.Nodes.values()]).reshape(-1, 3)
     tets = _cells(mesh, mesh.Volumes, 4)
     return points, tets[:, _NODES[tets.shape[1]]]
+
+
+def kept_points_and_tets(mesh):
+    """points_and_tets() of mesh.FemMesh, `mesh` being a mesh object: kept, since FreeCAD gives them slowly."""
+    kept = mesh.Proxy.kept.arrays
+    if kept is None or kept[0] != mesh.Fingerprint:
+        kept = mesh.Proxy.kept.arrays = mesh.Fingerprint, points_and_tets(mesh.FemMesh)
+    return kept[1]
 
 
 def from_fem_mesh(mesh, solids, without=(), taken=()):
@@ -98,4 +131,13 @@ def _cells(mesh, ids, corners):
 
 
 def _add_group(mesh, name, kind, numbers):
-    mesh.addGroupElements(mesh.addGroup(name, kind), numbers.tolist())
+    group = mesh.addGroup(name, kind)
+    for _, some in _chunks(numbers):
+        mesh.addGroupElements(group, some.tolist())
+        yield len(some)
+
+
+def _chunks(rows):
+    """(index of the first, some of `rows`) again and again."""
+    for first in range(0, len(rows), _CHUNK):
+        yield first, rows[first : first + _CHUNK]

@@ -120,13 +120,30 @@ def _show(value):
     return f"{value:.6g}" if isinstance(value, float) else str(value)
 
 
+_hashes = []
+"""(shape, hash) of the latest shapes, the last one last. The shapes are held, so that no other takes their place."""
+_MOST_HASHES = 16
+
+
 def _shape_hash(shape):
+    """_computed_hash() of `shape`, computed once for each: it is asked for with every change of a property."""
+    if shape.isNull():
+        return ""
+    for known, found in _hashes:
+        if known.isPartner(shape):  # the hash does not depend on where it stands
+            return found
+    _hashes.append((shape, _computed_hash(shape)))
+    del _hashes[:-_MOST_HASHES]
+    return _hashes[-1][1]
+
+
+def _computed_hash(shape):
     """Hash of the sizes and centres of all faces and edges, in their order, in the solid's own coordinates.
 
     A hash of the BREP text would tell more than is true: computed again after reopening, the same solid has
     other tolerances, other flags, and circles that start elsewhere.
     """
-    if shape.isNull() or not shape.Faces:
+    if not shape.Faces:
         return ""
     local = shape.copy(False)
     local.Placement = FreeCAD.Placement()

@@ -92,9 +92,14 @@ class MaterialDraft:
 
 def parameter_value(solid, name, text):
     """The number that `text` stands for in FreeCAD's units (mm), angles in radians."""
+    return parameter_quantity(solid, name, text)[0]
+
+
+def parameter_quantity(solid, name, text):
+    """(parameter_value(), whether it is a length)."""
     value = constant(name, text)
     if value is not None:
-        return value
+        return value, FreeCAD.Units.Quantity(text).Unit == FreeCAD.Units.Length
     try:
         result = solid.evalExpression(text)
     except Exception as error:  # the parser's and the evaluator's own kinds
@@ -107,7 +112,7 @@ def parameter_value(solid, name, text):
         raise core.InvalidInput(
             f"the parameter {name}: {text!r} is an angle, and formulas take radians: divide it by 1 rad"
         )
-    return graded_solid.plain_number(result)
+    return graded_solid.plain_number(result), getattr(result, "Unit", None) == FreeCAD.Units.Length
 
 
 def constant(name, text):

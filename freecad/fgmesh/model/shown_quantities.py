@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What can be looked at on a graded solid: the fraction of a constituent, or a property mixed from the cards."""
+from itertools import zip_longest
 from typing import NamedTuple
 
 import numpy as np
@@ -44,10 +45,24 @@ class Quantity(NamedTuple):
         return f"{name}, {self.unit}" if self.unit else name
 
 
+def constituent_names(thing):
+    """What the constituents of `thing` are called; where its parts are of different materials, as in Boolean fragments,
+    each name in its place: "Steel / Brass". Empty where a part has no names."""
+    materials = [stored.texts(part, "FGMConstituents") for part, _ in graded_parts(thing)]
+    if not all(materials):
+        return []
+    in_place = zip_longest(*materials)
+    return [" / ".join(dict.fromkeys(name for name in names if name)) for names in in_place]
+
+
+def constituent_count(thing):
+    """The most constituents that a part of `thing` has."""
+    return max((len(stored.texts(part, "FGMFractions")) + 1 for part, _ in graded_parts(thing)), default=2)
+
+
 def fraction_titles(solid, count, translate=str):
     """What the fractions of the `count` constituents of `solid`, None where it was deleted, are called."""
-    parts = graded_parts(solid) if solid is not None else []
-    names = stored.texts(parts[0][0], "FGMConstituents") if parts else []
+    names = constituent_names(solid) if solid is not None else []
     return [quantity.title(translate) for quantity in _fractions(names, count)]
 
 

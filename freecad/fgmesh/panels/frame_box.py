@@ -7,8 +7,9 @@ from PySide import QtCore, QtGui
 
 from freecad.fgmesh import core
 from freecad.fgmesh.model.frames import frame_from
+from freecad.fgmesh.panels.length_edit import read_length
 from freecad.fgmesh.view.selection import Picker
-from freecad.fgmesh.view.texts import translate
+from freecad.fgmesh.view.texts import length_text, translate
 
 _Z = FreeCAD.Vector(0, 0, 1)
 _DIGITS = 9  # more would show the rounding of rotations
@@ -29,7 +30,11 @@ class FrameBox(QtGui.QWidget):
         self.origin, self.axis = QtGui.QLineEdit(), QtGui.QLineEdit()
         self.origin.setObjectName("FGMeshFrameOrigin")
         self.axis.setObjectName("FGMeshFrameAxis")
-        self.origin.setToolTip(translate("Origin of the frame in the solid's own coordinates, mm: x, y, z"))
+        self.origin.setToolTip(
+            translate(
+                "Origin of the frame in the solid's own coordinates: x, y, z, with or without units, as in 0, 0, 1 in"
+            )
+        )
         self.axis.setToolTip(translate("Direction of the frame's z axis: x, y, z"))
         self.origin.editingFinished.connect(self._typed)
         self.axis.editingFinished.connect(self._typed)
@@ -70,7 +75,7 @@ class FrameBox(QtGui.QWidget):
     def set_frame(self, frame):
         """Shows `frame`; tells nobody."""
         self._frame, self._wrong = FreeCAD.Placement(frame), ""
-        self.origin.setText(_text(frame.Base))
+        self.origin.setText(_lengths_text(frame.Base))
         self.axis.setText(_text(frame.Rotation.multVec(_Z)))
 
     def stop_picking(self):
@@ -92,11 +97,11 @@ class FrameBox(QtGui.QWidget):
 
     def _typed(self):
         texts = self.origin.text(), self.axis.text()
-        if texts == (_text(self._frame.Base), _text(self._frame.Rotation.multVec(_Z))):
+        if texts == (_lengths_text(self._frame.Base), _text(self._frame.Rotation.multVec(_Z))):
             self._take(self._frame)  # as shown: what was rounded for the eye stays as it is
             return
         try:
-            origin, axis = (_vector(text) for text in texts)
+            origin, axis = _vector(texts[0], read_length), _vector(texts[1], float)
             if axis.Length == 0:
                 raise ValueError
         except ValueError:
@@ -116,8 +121,12 @@ def _text(vector):
     return ", ".join(f"{round(value, _DIGITS) + 0.0:.6g}" for value in vector)
 
 
-def _vector(text):
-    x, y, z = (float(part) for part in text.replace(";", ",").split(","))
+def _lengths_text(vector):
+    return ", ".join(length_text(round(value, _DIGITS)) for value in vector)
+
+
+def _vector(text, read):
+    x, y, z = (read(part.strip()) for part in text.split(";" if ";" in text else ","))
     if not all(map(math.isfinite, (x, y, z))):
         raise ValueError
     return FreeCAD.Vector(x, y, z)

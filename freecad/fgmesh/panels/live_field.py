@@ -37,6 +37,8 @@ class LiveField(QtCore.QObject):
     def update(self, materials):
         """materials: a list with the core.Material of each solid, or with one for all. Answers by a signal."""
         self._materials = materials
+        if not len(self._points):
+            return  # they are under way
         needed = next((key for key in map(_key, materials) if key and key not in self._distances), None)
         if needed is None:
             if materials:

@@ -21,7 +21,7 @@ from freecad.fgmesh.panels.table_list import TableList
 from freecad.fgmesh.panels.wide_combo import WideCombo
 from freecad.fgmesh.view import icon
 from freecad.fgmesh.view.recording import recorded
-from freecad.fgmesh.view.texts import number_text, translate
+from freecad.fgmesh.view.texts import number_text, quantity_text, translate
 
 _SLACK = 1e-9
 """Rounding that is no reason for a warning about fractions outside [0, 1]."""
@@ -180,7 +180,8 @@ class MaterialPanel:
         )
         kept = {name: text for name, text in self.parameters.rows() if name in _words(others)}
         self._brought |= set(parameters)
-        self.parameters.set_parameters({**kept, **parameters})
+        texts = {name: quantity_text(value, gradings.dimension(name)) for name, value in parameters.items()}
+        self.parameters.set_parameters({**kept, **texts})
         self.composition.set_formula(formula)
         self.references.pick_until(grading.references)
 

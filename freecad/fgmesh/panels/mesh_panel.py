@@ -11,16 +11,16 @@ from freecad.fgmesh.adapter import flag_number
 from freecad.fgmesh.fem import background
 from freecad.fgmesh.model import mesh_object, options, preferences
 from freecad.fgmesh.model.macro_text import document_text, object_text
-from freecad.fgmesh.model.shown_quantities import fraction_titles
 from freecad.fgmesh.model.texts import TRANSLATE_LATER
 from freecad.fgmesh.panels.expectation import Expectation
 from freecad.fgmesh.panels.mesh_options_box import MeshOptionsBox
-from freecad.fgmesh.panels.mesh_runner import MeshRunner
+from freecad.fgmesh.panels.mesh_runner import STORING, MeshRunner
 from freecad.fgmesh.panels.message_label import MessageLabel
 from freecad.fgmesh.panels.showing import show
-from freecad.fgmesh.view import icon, mesh_look
+from freecad.fgmesh.view import icon, mesh_look, mesh_view
 from freecad.fgmesh.view.recording import recorded
-from freecad.fgmesh.view.texts import number_text, translate
+from freecad.fgmesh.view.texts import in_user_units, number_text, translate
+from freecad.fgmesh.worker.remaining import RemainingTime, rough_time
 
 STAGES = {
     "": TRANSLATE_LATER("FGMesh", "starting"),
@@ -31,6 +31,7 @@ STAGES = {
     "geometry": TRANSLATE_LATER("FGMesh", "geometry-oriented refinement"),
     "certificate": TRANSLATE_LATER("FGMesh", "proof between the corners"),
     "second order": TRANSLATE_LATER("FGMesh", "nodes in the middle of edges"),
+    STORING: TRANSLATE_LATER("FGMesh", "taking the mesh into the document"),
 }
 """What the stages of a run are called."""
 
@@ -86,7 +87,7 @@ class MeshPanel:
         except Exception as error:  # a deleted solid is a ReferenceError, ours are core.Error
             self._tell_failure(error)
             return
-        self._started, self._stage = time.monotonic(), None
+        self._started, self._stage, self._remaining = time.monotonic(), None, RemainingTime()
         self.log.clear()
         self.message.say("")
         self._show_running(True)
@@ -105,6 +106,8 @@ class MeshPanel:
         self.bar = QtGui.QProgressBar()
         self.bar.setRange(0, 1000)
         self.bar.setFormat("")
+        self.times = QtGui.QLabel()
+        self.times.setObjectName("FGMeshTimes")
         self.message = MessageLabel()
         self.message.setObjectName("FGMeshRunMessage")
         self.log = QtGui.QPlainTextEdit()
@@ -133,6 +136,7 @@ class MeshPanel:
         row.addWidget(self.cancel_button)
         layout.addLayout(row)
         layout.addWidget(self.bar)
+        layout.addWidget(self.times)
         layout.addWidget(self.message)
         layout.addWidget(self.report_button)
         layout.addWidget(self.log)
@@ -141,6 +145,7 @@ class MeshPanel:
 
     def _connect(self):
         self.options.edited.connect(self._expect)
+        self.expectation.chosen.connect(self._use_remedy)
         self.start_button.clicked.connect(self.start)
         self.cancel_button.clicked.connect(self.cancel)
         self.report_button.clicked.connect(self._open_report)
@@ -162,6 +167,11 @@ class MeshPanel:
             self.message.say("")
         self.expectation.expect(values)
 
+    def _use_remedy(self, change):
+        """change: {property: value} of a button below the expected number."""
+        self.options.set_values({**self.options.values(), **change})
+        self._expect()
+
     def _show_running(self, running):
         self.start_button.setEnabled(not running)
         self.options.setEnabled(not running)
@@ -169,17 +179,25 @@ class MeshPanel:
         self.report_button.setEnabled(not running and bool(self.mesh and self.mesh.Report))
         self.bar.setValue(0)
         self.bar.setFormat("")
+        self.times.setVisible(running)
 
     def _tell_progress(self, stage, fraction, tets):
         if stage != self._stage:
             self._stage = stage
             self._log(translate(STAGES.get(stage, stage)))
         self.bar.setValue(int(1000 * fraction))
-        self.bar.setFormat(f"{translate(STAGES.get(stage, stage))}  {number_text(tets, ',')}" if tets else "")
+        elapsed = time.monotonic() - self._started
+        parts = [translate(STAGES.get(stage, stage)), *([number_text(tets, ",")] if tets else [])]
+        self.bar.setFormat("  ".join(parts).replace("%", "%%"))
+        left = self._remaining.seconds(stage, fraction, elapsed)
+        times = translate("{} so far").format(rough_time(elapsed))
+        if left is not None:
+            times += translate("; this stage about {} more").format(rough_time(left))
+        self.times.setText(times)
 
     def _log(self, text):
         passed = number_text(time.monotonic() - self._started, "6.1f")
-        self.log.appendPlainText(f"{passed} s  {text}")
+        self.log.appendPlainText(f"{passed} s  {in_user_units(text)}")
 
     def _tell_failure(self, error):
         self._show_running(False)
@@ -202,8 +220,7 @@ class MeshPanel:
         self._show_running(False)
         self.bar.setValue(1000)
         self._tell_result()
-        title, *_ = fraction_titles(self.solid, 1 + mesh_object.fractions_of(self.mesh).shape[1], translate)
-        mesh_look.colour_by_fraction(self.mesh, title)
+        mesh_look.show_kept(self.mesh)
 
     def _run_lines(self, run):
         document = FreeCAD.getDocument(self._document)
@@ -226,6 +243,7 @@ class MeshPanel:
             if is_first:
                 # The solid's faces lie upon those of the mesh.
                 line(f"{object_text(self.solid)}.Visibility = False")
+                mesh_view.keep_coloured(made)
             line(f"{document_text(document)}.recompute()")
         self.mesh = made
 

@@ -2,6 +2,8 @@
 """A line below a field that says how things stand."""
 from PySide import QtCore, QtGui
 
+from freecad.fgmesh.view.texts import in_user_units
+
 # With a background of their own, as style sheets of FreeCAD have any: no other colour is readable on all of them.
 _LOOK = "QLabel {{ color: {}; background-color: {}; border-radius: 3px; padding: 3px; }}"
 _ERROR = _LOOK.format("#9c1118", "#fde7e7")
@@ -10,7 +12,7 @@ _WARNING = _LOOK.format("#704300", "#fff0cc")
 
 
 class MessageLabel(QtGui.QLabel):
-    """Wrapped text in the colours of its gravity. `kind` is what it shows: "", "error" or "warning"."""
+    """Wrapped text in the colours of its gravity, its lengths in the user's units. `kind` is what it shows: "", "error" or "warning"."""
 
     def __init__(self, parent=None):
         super().__init__(parent)
@@ -32,7 +34,7 @@ class MessageLabel(QtGui.QLabel):
         self.kind = kind
         if look != self.styleSheet():
             self.setStyleSheet(look)
-        self.setText(text)
+        self.setText(in_user_units(text))
         if self.isVisible():
             self._fit()
 

@@ -3,10 +3,10 @@
 from PySide import QtCore, QtGui
 
 from freecad.fgmesh import core
-from freecad.fgmesh.model.material_draft import parameter_value
+from freecad.fgmesh.model.material_draft import parameter_quantity
 from freecad.fgmesh.panels.add_remove_row import AddRemoveRow
 from freecad.fgmesh.panels.quiet import quiet
-from freecad.fgmesh.view.texts import translate
+from freecad.fgmesh.view.texts import length_text, translate
 
 _NAME, _TEXT, _VALUE = range(3)
 
@@ -101,7 +101,8 @@ class ParameterTable(QtGui.QWidget):
     def _outcome(self, row):
         name, text = self._text(row, _NAME), self._text(row, _TEXT)
         try:
-            return f"{parameter_value(self._solid, name, text):.6g}", ""
+            value, is_length = parameter_quantity(self._solid, name, text)
+            return length_text(value) if is_length else f"{value:.6g}", ""
         except core.InvalidInput as error:
             return "?", str(error)
 

@@ -3,8 +3,8 @@
 import numpy as np
 from PySide import QtCore, QtGui
 
-from freecad.fgmesh.model.preview_shape import surface_of
-from freecad.fgmesh.model.sample_points import sample_points
+from freecad.fgmesh import core, worker
+from freecad.fgmesh.model.preview_shape import surface_request
 from freecad.fgmesh.model.shown_quantities import shown_quantities
 from freecad.fgmesh.panels.live_field import LiveField
 from freecad.fgmesh.panels.quiet import quiet
@@ -16,6 +16,7 @@ from freecad.fgmesh.view.texts import number_text, translate
 
 
 _ROUNDING = 1e-12
+_POLL_MILLISECONDS = 40
 
 
 def range_text(ranges):
@@ -31,6 +32,8 @@ def range_text(ranges):
 class PreviewBox(QtGui.QGroupBox):
     """Shows a solid coloured by its material. `looked_at` gives the lowest and the highest of each fraction, (k, 2),
     over the solid, inside and on its boundary, and the share of it where one is undefined; `failed` a core.Error.
+
+    The solid is triangulated in a child process: colours and ranges come as soon as that has answered.
     """
 
     looked_at = QtCore.Signal(object, float)
@@ -42,9 +45,12 @@ class PreviewBox(QtGui.QGroupBox):
         self.setWindowIcon(QtGui.QIcon(icon("preview")))
         self.setObjectName("FGMeshPreview")
         self._solid, self._preview = solid, None
-        self._surface = surface_of(solid)
-        self._samples = sample_points(self._surface)
-        self._fractions = None
+        self._surface = self._samples = self._fractions = None
+        self._run = worker.start_surface(*surface_request(solid))
+        self._poll = QtCore.QTimer(self)
+        self._poll.setInterval(_POLL_MILLISECONDS)
+        self._poll.timeout.connect(self._look_for_surface)
+        self._poll.start()
         self._field = LiveField(self)
         self._field.ready.connect(self._show)
         self._field.failed.connect(self.failed)
@@ -84,6 +90,7 @@ class PreviewBox(QtGui.QGroupBox):
     def close_preview(self):
         """Leaves the view as it was."""
         self._field.close()
+        self._end_run()
         if self._preview is not None:
             self._preview.close()
         self._preview = None
@@ -93,24 +100,52 @@ class PreviewBox(QtGui.QGroupBox):
         if self._fractions is None:
             self._new_points()
 
+    def _look_for_surface(self):
+        if not self._run.wait(0.0):
+            return
+        try:
+            self._surface, self._samples = self._run.result()
+        except (core.Error, RuntimeError) as error:
+            self.failed.emit(error)
+        self._end_run()
+        if self._surface is None:
+            return
+        self._waiting.hide()
+        if self.isChecked():
+            self._toggle(True)
+        else:
+            self._new_points()
+
+    def _end_run(self):
+        self._poll.stop()
+        if self._run is not None:
+            self._run.close()
+        self._run = None
+
     def _lay_out(self):
         form = QtGui.QFormLayout(self)
         form.setContentsMargins(4, 10, 4, 4)  # less would cut the title
         form.addRow(translate("Show"), self.quantity)
         form.addRow(translate("Section"), self.section)
         form.addRow("", self.drag)
+        self._waiting = QtGui.QLabel(translate("The solid is being triangulated"))
+        form.addRow(self._waiting)
         self._cut()
 
     def _toggle(self, on):
+        if self._surface is None:
+            return
         if on:
             self._preview = Preview(self._solid, on_new_points=self._new_points, surface=self._surface)
-        else:
+        elif self._preview is not None:
             self._preview.close()
             self._preview = None
         self._cut()
         self._new_points()
 
     def _new_points(self):
+        if self._samples is None:
+            return
         points, solids = self._samples
         if self._preview is not None:
             points = np.concatenate([self._preview.points, points])

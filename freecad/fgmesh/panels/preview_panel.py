@@ -6,8 +6,8 @@ from PySide import QtGui
 
 from freecad.fgmesh import core
 from freecad.fgmesh.adapter import flag_number
-from freecad.fgmesh.model import stored
-from freecad.fgmesh.model.graded_parts import graded_parts, materials_of
+from freecad.fgmesh.model.graded_parts import materials_of
+from freecad.fgmesh.model.shown_quantities import constituent_count, constituent_names
 from freecad.fgmesh.panels.message_label import MessageLabel
 from freecad.fgmesh.panels.preview_box import PreviewBox, range_text
 from freecad.fgmesh.view import icon
@@ -30,9 +30,7 @@ class PreviewPanel:
         layout = QtGui.QVBoxLayout(self.form)
         layout.addWidget(self.preview)
         layout.addWidget(self.message)
-        first, *_ = graded_parts(solid)[0]
-        names, formulas = stored.texts(first, "FGMConstituents"), stored.texts(first, "FGMFractions")
-        self.preview.set_constituents(names, len(formulas) + 1)
+        self.preview.set_constituents(constituent_names(solid), constituent_count(solid))
         self.preview.setChecked(True)
         self._show()
 

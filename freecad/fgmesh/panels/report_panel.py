@@ -7,7 +7,7 @@ from PySide import QtCore, QtGui
 
 from freecad.fgmesh import pictures
 from freecad.fgmesh.adapter import flag_number
-from freecad.fgmesh.fem.fem_mesh import points_and_tets
+from freecad.fgmesh.fem.fem_mesh import kept_points_and_tets
 from freecad.fgmesh.io import stage_rows, write_report_table
 from freecad.fgmesh.model.mesh_object import fractions_of, report_of
 from freecad.fgmesh.model.shown_quantities import fraction_titles
@@ -70,7 +70,6 @@ class ReportPanel:
 
     def __init__(self, mesh):
         self.mesh, self.report = mesh, report_of(mesh)
-        self._was_coloured = mesh_look.is_coloured(mesh)
         self._titles = fraction_titles(mesh.Shape, 1 + fractions_of(mesh).shape[1], translate)
         self.form = [self._figures_box(), self._view_box()]
         self._show_look()
@@ -81,10 +80,7 @@ class ReportPanel:
         return flag_number(QtGui.QDialogButtonBox.Close)
 
     def reject(self):
-        if self._was_coloured:
-            mesh_look.colour_by_fraction(self.mesh, self._titles[0])
-        else:
-            mesh_look.show_plain(self.mesh)
+        mesh_look.show_kept(self.mesh)
         FreeCADGui.Control.closeDialog()
         return True
 
@@ -214,7 +210,7 @@ class ReportPanel:
 
     def _worst(self, look):
         """The tetrahedra that come first by smallest angle or by largest variation."""
-        points, tets = points_and_tets(self.mesh.FemMesh)
+        points, tets = kept_points_and_tets(self.mesh)
         if look == SMALLEST_ANGLES:
             order = smallest_dihedral_angles(points, tets)
         else:

@@ -2,20 +2,22 @@
 """How a mesh object is coloured in the 3D view, in the colours of previews and without an analysis.
 
 An overlay inside the nodes of the view provider replaces FreeCAD's own look of the mesh: it is seen where and when the
-mesh is, and nothing of it is in the document.
+mesh is. The document keeps whether there is one, in properties of the view provider (mesh_view), and what it is made of.
 """
 import numpy as np
 from pivy import coin
 
 from freecad.fgmesh import colours
-from freecad.fgmesh.fem.fem_mesh import points_and_tets
+from freecad.fgmesh.fem.fem_mesh import kept_points_and_tets
 from freecad.fgmesh.model.mesh_object import fractions_of
 from freecad.fgmesh.model.tet_faces import TetFaces
+from freecad.fgmesh.model.shown_quantities import fraction_titles
 from freecad.fgmesh.model.texts import TRANSLATE_LATER
 from freecad.fgmesh.view.colour_bar import ColourBar
 from freecad.fgmesh.view.coloured_faces import ColouredFaces, set_rows, set_vectors, unpickable
 from freecad.fgmesh.view.hidden import Hidden
-from freecad.fgmesh.view.mesh_view import show
+from freecad.fgmesh.view.mesh_view import MeshView, is_kept_coloured
+from freecad.fgmesh.view.mesh_view import show as show_in_view
 from freecad.fgmesh.view.texts import translate
 
 TITLE = TRANSLATE_LATER("FGMesh", "volume fraction")
@@ -47,14 +49,21 @@ def show_worst(mesh, numbers):
 def show_plain(mesh):
     """Gives back FreeCAD's own look of the mesh."""
     holder = _holder(mesh)
-    if holder.look is not None:
+    if getattr(holder, "look", None) is not None:
         holder.look.close()
         holder.look = None
 
 
-def is_coloured(mesh):
-    """Whether another look than FreeCAD's own is shown."""
-    return getattr(_holder(mesh), "look", None) is not None
+def show_kept(mesh):
+    """Gives the mesh the look that its document keeps: colours, or FreeCAD's own."""
+    # Of a mesh that undo cannot bring back there is but the figures.
+    is_whole = bool(mesh.Fingerprint) and mesh.FemMesh.VolumeCount == mesh.TetCount
+    if not (is_whole and is_kept_coloured(mesh)):
+        show_plain(mesh)
+        return
+    titles = fraction_titles(mesh.Shape, 1 + fractions_of(mesh).shape[1], translate)
+    constituent = min(max(mesh.ViewObject.ShownConstituent, 0), len(titles) - 1)
+    colour_by_fraction(mesh, titles[constituent], constituent)
 
 
 def _look_of(mesh):
@@ -68,7 +77,8 @@ def _look_of(mesh):
 
 
 def _holder(mesh):
-    show(mesh)
+    if not isinstance(mesh.ViewObject.Proxy, MeshView):
+        show_in_view(mesh)
     return mesh.ViewObject.Proxy  # it lives as long as the nodes that the look is in
 
 
@@ -77,7 +87,7 @@ class MeshLook:
 
     def __init__(self, mesh):
         self.fingerprint = mesh.Fingerprint
-        self.faces = TetFaces(*points_and_tets(mesh.FemMesh))
+        self.faces = TetFaces(*kept_points_and_tets(mesh))
         fractions = fractions_of(mesh)
         self._fractions = np.column_stack([fractions, 1 - fractions.sum(axis=1)])
         self._values = self._fractions[:, 0]

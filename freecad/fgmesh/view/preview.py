@@ -6,8 +6,9 @@ import numpy as np
 from pivy import coin
 
 from freecad.fgmesh import core
-from freecad.fgmesh.model import section
-from freecad.fgmesh.model.preview_shape import FINENESS, surface_of
+from freecad.fgmesh.model.preview_shape import surface_of
+from freecad.fgmesh.surfaces.surface import FINENESS
+from freecad.fgmesh.view.background_cut import BackgroundCut
 from freecad.fgmesh.view.colour_bar import ColourBar
 from freecad.fgmesh.view.coloured_faces import ColouredFaces
 from freecad.fgmesh.view.hidden import Hidden
@@ -23,7 +24,7 @@ class Preview:
     thing           a document object with solids
     view            the 3D view; None: that of the document
     on_new_points   called when `points` have changed, since the section moved
-    surface         preview_shape.surface_of(thing), where the caller has it already
+    surface         its surfaces.surface.Surface, where the caller has it already
 
     points (n, 3) and solids (n,), numbers from 0: where values are wanted, in the coordinates of thing.Shape. The first
     `fixed` of them are always there and never change. Raises core.InvalidInput where there is no solid or no 3D view.
@@ -33,6 +34,7 @@ class Preview:
         self._surface = surface or surface_of(thing)
         self._on_new_points = on_new_points or (lambda: None)
         self._section = self._dragger = self._cut = None
+        self._background = BackgroundCut(self._take_cut)
         self._layers = _drawing_order(thing)
         self.fixed = len(self._surface.points)
         self.points, self.solids = self._surface.points, self._surface.solids
@@ -100,6 +102,8 @@ class Preview:
         if self._scene is None:
             return
         self.drag_section(False)
+        self._background.stop()
+        self._background = None  # it leads back here
         place = self._scene.findChild(self._root)
         if place >= 0:
             self._scene.removeChild(place)
@@ -113,16 +117,23 @@ class Preview:
 
     def _cut_here(self):
         surface = self._surface
+        self._hidden.is_pickable = self._section is None
         if self._section is None:
-            self._cut = None
+            self._background.stop()
+            self._take_cut(None)
+        else:
+            self._background.cut(surface, *self._section, surface.diagonal / FINENESS)
+
+    def _take_cut(self, cut):
+        """cut: a section.Section; None: the whole solid."""
+        surface, self._cut = self._surface, cut
+        if cut is None:
             self.points, self.solids = surface.points, surface.solids
             self._faces.set_points(np.empty((0, 3)), np.empty((0, 3)), self.fixed)
         else:
-            self._cut = section.cut(surface, *self._section, surface.diagonal / FINENESS)
-            self.points = np.concatenate([surface.points, self._cut.points])
-            self.solids = np.concatenate([surface.solids, self._cut.solids])
-            self._faces.set_points(self._cut.points, self._cut.normals, self.fixed)
-        self._hidden.is_pickable = self._section is None
+            self.points = np.concatenate([surface.points, cut.points])
+            self.solids = np.concatenate([surface.solids, cut.solids])
+            self._faces.set_points(cut.points, cut.normals, self.fixed)
         self._show_faces()
         self._on_new_points()
 

@@ -18,6 +18,7 @@ from freecad.fgmesh.worker.functions import (
     start,
     start_distances,
     start_estimate,
+    start_surface,
 )
 from freecad.fgmesh.worker.run import Crashed, Run, available_memory_mb
 
@@ -31,4 +32,5 @@ __all__ = [
     "start",
     "start_distances",
     "start_estimate",
+    "start_surface",
 ]

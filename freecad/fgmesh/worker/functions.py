@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Functions of `core` in a child process: each by a function that starts it, and by one that waits, too."""
 from freecad.fgmesh.worker.run import Run
-from freecad.fgmesh.worker.tasks import Estimating, Measuring, Meshing
+from freecad.fgmesh.worker.tasks import Estimating, Measuring, Meshing, Showing
 
 
 def start(brep, material, options=None, control=None):
@@ -33,6 +33,12 @@ def start_distances(references, points, control=None):
 def distances(references, points, control=None):
     """As `core.distances`, in a child process; a read-only array. Raises Crashed, too, a GeometryError."""
     return _result(start_distances(references, points, control))
+
+
+def start_surface(brep, diagonal, control=None):
+    """Start the child process for what `surfaces.surface.shown_surface` takes. Gives the Run, whose result is the Surface
+    and the (points, solids) of `surfaces.sample_points.sample_points`."""
+    return Run(Showing(brep, diagonal), control)
 
 
 def _result(run):

@@ -14,6 +14,8 @@ import json
 import numpy as np
 
 from freecad.fgmesh import core
+from freecad.fgmesh.surfaces.sample_points import sample_points
+from freecad.fgmesh.surfaces.surface import Surface, shown_surface
 from freecad.fgmesh.worker.transfer import pack, unpack
 
 
@@ -91,7 +93,30 @@ class Measuring:
         return answer
 
 
-TASKS = {task.__name__: task for task in (Meshing, Estimating, Measuring)}
+class Showing:
+    """A `surfaces.surface.Surface` and `surfaces.sample_points` of it."""
+
+    process = "triangulating process"
+
+    def __init__(self, brep, diagonal):
+        self._shape, self._diagonal = brep, diagonal
+
+    def request(self, shapes, arrays):
+        return {"shape": _place(self._shape, shapes), "diagonal": self._diagonal}
+
+    @staticmethod
+    def answer(asked, shapes, arrays, control):
+        surface = shown_surface(shapes[asked["shape"]], asked["diagonal"], control=control)
+        return [surface, *sample_points(surface)]
+
+    def result(self, answer):
+        found, points, solids = answer
+        surface = Surface(found.points, found.normals, found.solids, found.triangles, found.diagonal)
+        surface.edges, surface.welded = found.edges, found.welded  # computed already
+        return surface, (points, solids)
+
+
+TASKS = {task.__name__: task for task in (Meshing, Estimating, Measuring, Showing)}
 
 
 def _place(thing, things):

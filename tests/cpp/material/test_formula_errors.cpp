@@ -65,6 +65,8 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     Grammar, BadFormulas,
     testing::Values(BadFormula{"2x", 1, "operator is missing between '2' and 'x'"},
+                    BadFormula{"x*2 cm^2", 6, "parentheses around a number with a unit"},
+                    BadFormula{"3 furlongs", 2, "operator is missing between '3' and 'furlongs'"},
                     BadFormula{"x y", 2, "operator is missing between 'x' and 'y'"},
                     BadFormula{"(x)(y)", 3, "operator is missing"},
                     BadFormula{"1..2", 2, "operator is missing"}, BadFormula{"x +", 3, "ends after '+'"},

@@ -55,6 +55,18 @@ INSTANTIATE_TEST_SUITE_P(
                     KnownValue{"r", 3.605551275463989}, KnownValue{"d", 3.640054944640259},
                     KnownValue{"theta", -0.982793723247329}, KnownValue{"atan2(1, -1)", 2.356194490192345}));
 
+TEST(FormulaValues, ANumberMayHaveAUnit) {
+  EXPECT_DOUBLE_EQ(value_of("80 mm", Vec3::Zero()), 80.0);
+  EXPECT_DOUBLE_EQ(value_of("1in", Vec3::Zero()), 25.4);
+  EXPECT_DOUBLE_EQ(value_of("2 ft", Vec3::Zero()), 609.6);
+  EXPECT_DOUBLE_EQ(value_of("1.5e-1 cm", Vec3::Zero()), 1.5);
+  EXPECT_DOUBLE_EQ(value_of("250 um + 1 thou", Vec3::Zero()), 0.2754);
+  EXPECT_DOUBLE_EQ(value_of("-(2 cm)^2", Vec3::Zero()), -400.0);
+  EXPECT_DOUBLE_EQ(value_of("1 m/2 m", Vec3::Zero()), 0.5) << "a unit binds tighter than a quotient";
+  EXPECT_DOUBLE_EQ(value_of("sin(30 deg)", Vec3::Zero()), 0.5);
+  EXPECT_DOUBLE_EQ(value_of("x/1 in", Vec3(50.8, 0.0, 0.0)), 2.0);
+}
+
 TEST(FormulaValues, UndefinedIsNaNAndUnboundedIsInfinite) {
   for (const char* formula :
        {"log(-x)", "sqrt(y)", "asin(x)", "0/0", "(x-2)/(x-2)", "y^0.5", "max(sqrt(y), 1)", "min(1, sqrt(y))",

@@ -2,7 +2,7 @@
 """Plane loops filled with even triangles. NumPy and SciPy alone."""
 import numpy as np
 
-from freecad.fgmesh.model.edge_recovery import with_edges
+from freecad.fgmesh.surfaces.edge_recovery import with_edges
 
 _SPACING = 0.9  # of the limit; the longest edges between points of the grid stay below it
 _CLEARANCE = 0.55  # to the rim, of the limit: a point nearer could come between the ends of a segment

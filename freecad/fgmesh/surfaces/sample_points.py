@@ -4,7 +4,7 @@ import time
 
 import numpy as np
 
-from freecad.fgmesh.model.section import cut
+from freecad.fgmesh.surfaces.section import cut
 
 _CUTS = (0.5, 0.2, 0.8)  # of the extent along each axis
 _FINENESS = 30  # edges of the cut faces are the diagonal divided by this
@@ -13,7 +13,7 @@ _SECONDS = 0.2
 
 
 def sample_points(surface):
-    """(points (n, 3), solids (n,)) on `surface`, a preview_shape.Surface, and on a few planes through it, with the 0-based
+    """(points (n, 3), solids (n,)) on `surface`, a surface.Surface, and on a few planes through it, with the 0-based
     number of the solid of each."""
     low, high = surface.points.min(axis=0), surface.points.max(axis=0)
     points, solids = [surface.points], [surface.solids]

@@ -4,8 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freecad.fgmesh.model.filling import filled
-from freecad.fgmesh.model.subdivision import merged
+from freecad.fgmesh.surfaces.filling import filled
+from freecad.fgmesh.surfaces.subdivision import merged
 
 _ON_PLANE = 1e-9  # of the diagonal
 _SAME = 1e-4  # of the limit
@@ -30,7 +30,7 @@ class Section:
 
 
 def cut(surface, origin, normal, limit):
-    """The Section of `surface`, a preview_shape.Surface, by the plane through `origin`; what lies on the side to
+    """The Section of `surface`, a surface.Surface, by the plane through `origin`; what lies on the side to
     which `normal` points is removed. Edges of the caps are no longer than `limit`, or than those around them.
     """
     origin, normal = np.asarray(origin, float), np.asarray(normal, float)
