@@ -15,6 +15,7 @@ import time
 from pathlib import Path
 
 from freecad.fgmesh import core, system_limits
+from freecad.fgmesh.worker import stages
 from freecad.fgmesh.worker.transfer import mapped, unpack
 
 WATCH_SECONDS = 0.05
@@ -161,9 +162,9 @@ class Run:
         if self._control.cancelled():
             self._stopped = core.Cancelled("the run was cancelled" + self._place())
         elif self._control.seconds_left() < 0:
-            self._stopped = core.Cancelled("the time limit was reached" + self._place())
+            self._stopped = core.Cancelled("the time limit was reached" + self._limit_place())
         elif _resident_mb(self._process.pid) > self._memory_limit_mb:
-            self._stopped = core.Cancelled(self._memory_limit_reached() + self._place())
+            self._stopped = core.Cancelled(self._memory_limit_reached() + self._limit_place())
         elif stage in READING and _computed_seconds(self._process.pid) > self._reading_limit:
             self._stopped = core.GeometryError(
                 f"the shape could not be read and checked within {self._reading_limit:.0f} s of computing, many "
@@ -185,7 +186,7 @@ class Run:
 
     def _error(self, name, limit, text, position, formula, place):
         if name == "MemoryError":
-            return core.Cancelled(system_limits.memory_text(self._memory_limit_mb) + self._place())
+            return core.Cancelled(system_limits.memory_text(self._memory_limit_mb) + self._limit_place())
         kind = getattr(core, name, None)
         if not (isinstance(kind, type) and issubclass(kind, core.Error)):
             if limit:
@@ -222,8 +223,11 @@ class Run:
         return f"the memory limit of {self._memory_limit_mb:.0f} MB was reached"
 
     def _place(self):
-        stage = self._control.progress().stage
-        return f' in the stage "{stage}"' if stage else ""
+        return stages.place(self._control.progress())
+
+    def _limit_place(self):
+        """Where a run was that has reached a limit, and what helps."""
+        return stages.place_and_cure(self._control.progress())
 
     def _words(self):
         """What the child said at last, for a message."""
