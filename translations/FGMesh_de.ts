@@ -128,10 +128,6 @@
       <translation>Bestandteil {} hat kein Material: Wählen Sie eines, oder leeren Sie die anderen</translation>
     </message>
     <message>
-      <source>Constituent {}: there is no material card and no material object called {}; choose one</source>
-      <translation>Bestandteil {}: Es gibt weder eine Materialkarte noch ein Materialobjekt namens {}; wählen Sie eines</translation>
-    </message>
-    <message>
       <source>Continuous: inside elements, too</source>
       <translation>Stetig: auch in Elementen</translation>
     </message>
@@ -226,6 +222,10 @@
     <message>
       <source>From face A to face B</source>
       <translation>Von Fläche A zu Fläche B</translation>
+    </message>
+    <message>
+      <source>Graded material</source>
+      <translation>Gradiertes Material</translation>
     </message>
     <message>
       <source>Graded material of {}</source>
@@ -580,6 +580,10 @@
       <translation>Es gibt noch keine Ergebnisse: zuerst die Analyse lösen</translation>
     </message>
     <message>
+      <source>There is no material card and no material object called {}: a mesh needs none, an analysis does</source>
+      <translation>Es gibt weder eine Materialkarte noch ein Materialobjekt namens {}: ein Netz braucht keines, eine Analyse schon</translation>
+    </message>
+    <message>
       <source>Two parameters are called {}: rename or remove one</source>
       <translation>Zwei Parameter heißen {}: Benennen Sie einen um, oder entfernen Sie ihn</translation>
     </message>
@@ -816,6 +820,14 @@ max {max:.4f}</translation>
     <message>
       <source>{} has lost its solid: set its Shape to a graded solid</source>
       <translation>{} hat seinen Festkörper verloren: Setzen Sie Shape auf einen gradierten Festkörper</translation>
+    </message>
+    <message>
+      <source>{} has no graded material yet. Give it one now?</source>
+      <translation>{} hat noch kein gradiertes Material. Jetzt eines zuweisen?</translation>
+    </message>
+    <message>
+      <source>{} is not meshed yet: mesh it first</source>
+      <translation>{} ist noch nicht vernetzt: bitte zuerst vernetzen</translation>
     </message>
     <message>
       <source>{} so far</source>

@@ -50,7 +50,7 @@ return found
     assert answer["no_document"] == [False, False, False, False, False, True]
     assert answer["nothing"] == [False, False, False, False, False, True]
     assert answer["Box"] == [True, True, True, False, False, True]
-    assert answer["Plain"] == [True, False, False, False, False, True]
+    assert answer["Plain"] == [True, True, True, False, False, True]
     assert answer["FGMesh"] == [False, False, True, True, True, True]
     assert answer["both"] == [True, False, False, False, False, True]
     assert len(set(answer["icons"])) == 6

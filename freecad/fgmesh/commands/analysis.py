@@ -2,7 +2,7 @@
 """FGMesh_Analysis: makes or completes a FEM analysis of the selected mesh."""
 from freecad.fgmesh.commands.command import Command, free_for_panel
 from freecad.fgmesh.model.texts import TRANSLATE_LATER
-from freecad.fgmesh.view.selection import selected_mesh
+from freecad.fgmesh.view.selection import meshed, selected_mesh
 
 
 class AnalysisCommand(Command):
@@ -13,11 +13,10 @@ class AnalysisCommand(Command):
     )
 
     def IsActive(self):
-        mesh = selected_mesh()
-        return free_for_panel() and mesh is not None and bool(mesh.Report)
+        return free_for_panel() and selected_mesh() is not None
 
     def run(self):
         from freecad.fgmesh.panels.analysis_panel import AnalysisPanel
         from freecad.fgmesh.panels.showing import show
 
-        show(AnalysisPanel(selected_mesh()))
+        show(AnalysisPanel(meshed(selected_mesh())))

@@ -2,7 +2,7 @@
 """FGMesh_Mesh: meshes the selected graded solid, or the selected mesh again."""
 from freecad.fgmesh.commands.command import Command, free_for_panel
 from freecad.fgmesh.model.texts import TRANSLATE_LATER
-from freecad.fgmesh.view.selection import selected_graded, selected_mesh
+from freecad.fgmesh.view.selection import selected_mesh, selected_solid
 
 
 class MeshCommand(Command):
@@ -13,9 +13,12 @@ class MeshCommand(Command):
     )
 
     def IsActive(self):
-        return free_for_panel() and (selected_mesh() or selected_graded()) is not None
+        return free_for_panel() and (selected_mesh() or selected_solid()) is not None
 
     def run(self):
+        from freecad.fgmesh.panels.material_offer import has_or_gets_material
         from freecad.fgmesh.panels.mesh_panel import open_mesh_panel
 
-        open_mesh_panel(selected_mesh() or selected_graded())
+        thing = selected_mesh() or selected_solid()
+        if selected_mesh() or has_or_gets_material(thing):
+            open_mesh_panel(thing)

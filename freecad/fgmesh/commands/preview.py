@@ -2,7 +2,7 @@
 """FGMesh_Preview: shows a graded solid coloured by its material."""
 from freecad.fgmesh.commands.command import Command, free_for_panel
 from freecad.fgmesh.model.texts import TRANSLATE_LATER
-from freecad.fgmesh.view.selection import selected_graded
+from freecad.fgmesh.view.selection import selected_solid
 
 
 class PreviewCommand(Command):
@@ -13,10 +13,12 @@ class PreviewCommand(Command):
     )
 
     def IsActive(self):
-        return free_for_panel() and selected_graded() is not None
+        return free_for_panel() and selected_solid() is not None
 
     def run(self):
+        from freecad.fgmesh.panels.material_offer import has_or_gets_material
         from freecad.fgmesh.panels.preview_panel import PreviewPanel
         from freecad.fgmesh.panels.showing import show
 
-        show(PreviewPanel(selected_graded()))
+        if has_or_gets_material(selected_solid()):
+            show(PreviewPanel(selected_solid()))

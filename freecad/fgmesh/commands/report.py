@@ -2,7 +2,7 @@
 """FGMesh_Report: shows how good the selected mesh is."""
 from freecad.fgmesh.commands.command import Command, free_for_panel
 from freecad.fgmesh.model.texts import TRANSLATE_LATER
-from freecad.fgmesh.view.selection import selected_mesh
+from freecad.fgmesh.view.selection import meshed, selected_mesh
 
 
 class ReportCommand(Command):
@@ -13,11 +13,10 @@ class ReportCommand(Command):
     )
 
     def IsActive(self):
-        mesh = selected_mesh()
-        return free_for_panel() and mesh is not None and bool(mesh.Report)
+        return free_for_panel() and selected_mesh() is not None
 
     def run(self):
         from freecad.fgmesh.panels.report_panel import ReportPanel
         from freecad.fgmesh.panels.showing import show
 
-        show(ReportPanel(selected_mesh()))
+        show(ReportPanel(meshed(selected_mesh())))

@@ -265,7 +265,7 @@ def _materials(graded, count, group):
 
 
 def _set_card(material, properties):
-    card = {"Name": material.Name, "Father": "FGMesh"}
+    card = {"Name": material.Name, "Father": constituents.MADE_BY_US}
     for name, value in properties.items():
         unit = constituents.UNITS[name]
         card[name] = f"{value:.13g} {unit}" if unit else f"{value:.13g}"

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The materials that a solid may be made of: FreeCAD's cards, the user's own, and those of the document."""
+from collections import Counter
 from pathlib import Path
 
 import FreeCAD
@@ -26,10 +27,21 @@ def material_objects(document):
     ]
 
 
+MADE_BY_US = "FGMesh"
+"""The "Father" in the cards of materials that stand for bins of a grading, which nothing is made of."""
+
+
 def available(document):
-    """Names that `attach_material` takes as constituents: of the document's material objects, then of cards."""
-    objects = [thing.Name for thing in material_objects(document)]
-    return objects + [name for name in sorted(card_paths(), key=str.lower) if name not in objects]
+    """{name that `attach_material` takes as a constituent: what a user knows it by}: the document's material objects, by
+    their labels, then cards."""
+    objects = [thing for thing in material_objects(document) if thing.Material.get("Father") != MADE_BY_US]
+    cards = sorted(card_paths(), key=str.lower)
+    labels = Counter([thing.Label for thing in objects] + cards)
+    shown = {
+        thing.Name: thing.Label if labels[thing.Label] == 1 else f"{thing.Label} ({thing.Name})"
+        for thing in objects
+    }
+    return {**shown, **{name: name for name in cards if name not in shown}}
 
 
 def properties(name, document):

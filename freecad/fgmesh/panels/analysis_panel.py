@@ -13,6 +13,7 @@ from freecad.fgmesh.model.macro_text import document_text, object_text
 from freecad.fgmesh.model.shown_quantities import PROPERTIES
 from freecad.fgmesh.model.texts import TRANSLATE_LATER
 from freecad.fgmesh.panels.law_choice import LawChoice
+from freecad.fgmesh.panels import showing
 from freecad.fgmesh.panels.message_label import MessageLabel
 from freecad.fgmesh.panels.wide_combo import WideCombo
 from freecad.fgmesh.view import icon
@@ -62,7 +63,7 @@ class AnalysisPanel:
 
     def _close(self):
         self._timer.stop()
-        FreeCADGui.Control.closeDialog()
+        showing.close()
 
     def _make_widgets(self):
         self.analysis = WideCombo("FGMeshAnalysis")

@@ -9,7 +9,8 @@ from freecad.fgmesh.view.texts import translate
 
 
 class CompositionBox(QtGui.QWidget):
-    """Two constituents or more; `offered` are names to choose from, `between` is a widget to stand above the formulas.
+    """Two constituents or more; `offered` are those to choose from, {name: how it is shown}, `between` is a widget to
+    stand above the formulas.
 
     `edited` tells of a change of formulas, `renamed` of the constituents; of both where their number changes.
     """
@@ -19,10 +20,16 @@ class CompositionBox(QtGui.QWidget):
 
     def __init__(self, offered, between, parent=None):
         super().__init__(parent)
-        self._offered, self._known = offered, set(offered)
+        self._offered = offered
+        self._names = {shown: name for name, shown in offered.items()}
         self._combos, self._edits, self._labels = [], [], []
         self.current = 0  # index of the formula that was worked on last
         self._rows, self._formulas = QtGui.QFormLayout(), QtGui.QVBoxLayout()
+        self._note = QtGui.QLabel()
+        self._note.setObjectName("FGMeshConstituentNote")
+        self._note.setWordWrap(True)
+        self._note.hide()
+        self.renamed.connect(self._tell_unknown)
         buttons = AddRemoveRow("Constituent")
         buttons.add.setToolTip(translate("One constituent more, and a formula for the one that was the last"))
         buttons.add.clicked.connect(self._add_by_hand)
@@ -32,6 +39,7 @@ class CompositionBox(QtGui.QWidget):
         layout.setContentsMargins(0, 0, 0, 0)
         for part in (self._rows, buttons):
             layout.addLayout(part)
+        layout.addWidget(self._note)
         layout.addWidget(between)
         layout.addLayout(self._formulas)
         self._set_count(2)
@@ -42,21 +50,17 @@ class CompositionBox(QtGui.QWidget):
 
     def names(self):
         """Those of the constituents; none unless all have one."""
-        names = [combo.currentText().strip() for combo in self._combos]
+        names = [self._names.get(text, text) for text in self._texts()]
         return names if all(names) else []
 
     def objection(self):
         """What is wrong with the names, in words; "" where nothing is. No name at all is right."""
-        names = [combo.currentText().strip() for combo in self._combos]
-        for number, name in enumerate(names, 1):
-            if not name and any(names):
+        texts = self._texts()
+        for number, text in enumerate(texts, 1):
+            if not text and any(texts):
                 return translate("Constituent {} has no material: choose one, or clear the others").format(
                     number
                 )
-            if name and name not in self._known:
-                return translate(
-                    "Constituent {}: there is no material card and no material object called {}; choose one"
-                ).format(number, name)
         return ""
 
     def fractions(self):
@@ -65,10 +69,9 @@ class CompositionBox(QtGui.QWidget):
 
     def set_composition(self, names, fractions):
         """Shows what a material has; names may be missing, or of cards that are not on this computer."""
-        self._known |= set(names)
         self._set_count(len(fractions) + 1)
         for combo, name in zip(self._combos, names or [""] * self.count()):
-            combo.setEditText(name)
+            combo.setEditText(self._offered.get(name, name))
             combo.lineEdit().setCursorPosition(0)  # of a name too long its beginning is seen
         for edit, formula in zip(self._edits, fractions):
             edit.set_formula(formula)
@@ -81,6 +84,18 @@ class CompositionBox(QtGui.QWidget):
         """Underlines the place of an error in the formula with this index, and nothing else; None: nothing."""
         for index, edit in enumerate(self._edits):
             edit.mark(position if index == formula else None)
+
+    def _texts(self):
+        return [combo.currentText().strip() for combo in self._combos]
+
+    def _tell_unknown(self):
+        unknown = [text for text in self._texts() if text and text not in self._names]
+        self._note.setText(
+            translate(
+                "There is no material card and no material object called {}: a mesh needs none, an analysis does"
+            ).format(", ".join(unknown))
+        )
+        self._note.setVisible(bool(unknown))
 
     def _add_by_hand(self):
         self._set_count(self.count() + 1)
@@ -115,7 +130,7 @@ class CompositionBox(QtGui.QWidget):
         combo = WideCombo(f"FGMeshConstituent{number}")
         combo.setEditable(True)
         combo.addItem("")
-        combo.addItems(self._offered)
+        combo.addItems(list(self._offered.values()))
         combo.currentTextChanged.connect(lambda _: self.renamed.emit())
         self._rows.addRow(translate("Constituent {}").format(number), combo)
         self._combos.append(combo)

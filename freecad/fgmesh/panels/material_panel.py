@@ -13,6 +13,7 @@ from freecad.fgmesh.model.macro_text import document_text
 from freecad.fgmesh.model.material_draft import MaterialDraft
 from freecad.fgmesh.panels.composition_box import CompositionBox
 from freecad.fgmesh.panels.frame_box import FrameBox
+from freecad.fgmesh.panels import showing
 from freecad.fgmesh.panels.message_label import MessageLabel
 from freecad.fgmesh.panels.parameter_table import ParameterTable
 from freecad.fgmesh.panels.preview_box import PreviewBox, range_text
@@ -72,10 +73,7 @@ class MaterialPanel:
         except Exception as error:  # FreeCAD turns ours into its own
             self.message.complain(str(error))
             return False
-        self._close()
-        for solid in self.solids:
-            FreeCADGui.Selection.addSelection(solid)  # as before, for the next command
-        return True
+        return self._close()
 
     def reject(self):
         return self._close()
@@ -202,7 +200,8 @@ class MaterialPanel:
             self.preview.set_materials([material])
         self.composition.mark(wrong, position)
         self.make_parameter.setVisible(self._missing_name is not None)
-        if self.message.kind == "error":
+        # Of a formula that is not there yet, too: a surface that comes late would tell the range of the former one.
+        if wrong is not None or self.message.kind == "error":
             self.preview.set_materials([])
 
     def _complain_of_formula(self, error):
@@ -242,7 +241,7 @@ class MaterialPanel:
         self.frame.stop_picking()
         self.references.stop_picking()
         self.preview.close_preview()
-        FreeCADGui.Control.closeDialog()
+        showing.close()
         return True
 
 

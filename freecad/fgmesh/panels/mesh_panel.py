@@ -16,7 +16,7 @@ from freecad.fgmesh.panels.expectation import Expectation
 from freecad.fgmesh.panels.mesh_options_box import MeshOptionsBox
 from freecad.fgmesh.panels.mesh_runner import STORING, MeshRunner
 from freecad.fgmesh.panels.message_label import MessageLabel
-from freecad.fgmesh.panels.showing import show
+from freecad.fgmesh.panels import showing
 from freecad.fgmesh.view import icon, mesh_look, mesh_view
 from freecad.fgmesh.view.recording import recorded
 from freecad.fgmesh.view.texts import in_user_units, number_text, translate
@@ -46,7 +46,7 @@ def open_mesh_panel(thing):
     else:
         mesh_object.revive(thing)
         panel = MeshPanel(thing.Shape, thing)
-    show(panel)
+    showing.show(panel)
 
 
 class MeshPanel:
@@ -75,7 +75,7 @@ class MeshPanel:
     def reject(self):
         self.runner.cancel()
         self.expectation.stop()
-        FreeCADGui.Control.closeDialog()
+        showing.close()
         return True
 
     # The run.
@@ -267,4 +267,4 @@ class MeshPanel:
         mesh = self.mesh
         self.reject()
         # Not at once: FreeCAD is still closing this panel.
-        QtCore.QTimer.singleShot(0, lambda: show(ReportPanel(mesh)))
+        QtCore.QTimer.singleShot(0, lambda: showing.show(ReportPanel(mesh)))

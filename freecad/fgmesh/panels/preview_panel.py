@@ -8,6 +8,7 @@ from freecad.fgmesh import core
 from freecad.fgmesh.adapter import flag_number
 from freecad.fgmesh.model.graded_parts import materials_of
 from freecad.fgmesh.model.shown_quantities import constituent_count, constituent_names
+from freecad.fgmesh.panels import showing
 from freecad.fgmesh.panels.message_label import MessageLabel
 from freecad.fgmesh.panels.preview_box import PreviewBox, range_text
 from freecad.fgmesh.view import icon
@@ -39,7 +40,7 @@ class PreviewPanel:
 
     def reject(self):
         self.preview.close_preview()
-        FreeCADGui.Control.closeDialog()
+        showing.close()
         return True
 
     def _show(self):

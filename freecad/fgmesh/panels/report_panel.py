@@ -13,6 +13,7 @@ from freecad.fgmesh.model.mesh_object import fractions_of, report_of
 from freecad.fgmesh.model.shown_quantities import fraction_titles
 from freecad.fgmesh.model.tet_figures import smallest_dihedral_angles, variations
 from freecad.fgmesh.model.texts import TRANSLATE_LATER
+from freecad.fgmesh.panels import showing
 from freecad.fgmesh.panels.message_label import MessageLabel
 from freecad.fgmesh.panels.plot_canvas import plot_canvas, use_text_colour
 from freecad.fgmesh.panels.section_controls import SectionControls
@@ -81,7 +82,7 @@ class ReportPanel:
 
     def reject(self):
         mesh_look.show_kept(self.mesh)
-        FreeCADGui.Control.closeDialog()
+        showing.close()
         return True
 
     # What the buttons do.

@@ -1,14 +1,29 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Showing a task panel where there is room for it."""
+import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
 
+_selected = []
+"""Names of document and object of what was selected when the panel was shown: objects may go meanwhile."""
+
+
 def show(panel):
     """Shows `panel`, and makes the dock of the task view wide enough for it where it is too narrow."""
+    _selected[:] = [(thing.Document.Name, thing.Name) for thing in FreeCADGui.Selection.getSelection()]
     FreeCADGui.Selection.clearSelection()  # its colour would lie upon those of previews and meshes
     FreeCADGui.Control.showDialog(panel)
     QtCore.QTimer.singleShot(0, lambda: _widen(panel))
+
+
+def close():
+    """Closes the panel. What was selected before is selected again, for the next command."""
+    FreeCADGui.Control.closeDialog()
+    for document, name in [] if FreeCADGui.Selection.getSelection() else _selected:
+        if document in FreeCAD.listDocuments() and FreeCAD.getDocument(document).getObject(name):
+            FreeCADGui.Selection.addSelection(document, name)
+    _selected.clear()
 
 
 def _widen(panel):

@@ -2,8 +2,9 @@
 """What the user has selected, in the tree or in the 3D view, as this workbench understands it."""
 import FreeCADGui
 
-from freecad.fgmesh.model.graded_parts import graded_parts
+from freecad.fgmesh import core
 from freecad.fgmesh.model.mesh_object import is_mesh
+from freecad.fgmesh.view.texts import translate
 
 
 def selected_solids():
@@ -16,16 +17,23 @@ def selected_solids():
     return list(found)
 
 
-def selected_graded():
-    """The one selected solid, where it or its parts have graded materials; else None."""
+def selected_solid():
+    """The one selected solid, with a graded material or without; else None."""
     solids = selected_solids()
-    return solids[0] if len(solids) == 1 and graded_parts(solids[0]) else None
+    return solids[0] if len(solids) == 1 else None
 
 
 def selected_mesh():
     """The one selected object, where it is a mesh of ours; else None."""
     chosen = FreeCADGui.Selection.getSelection()
     return chosen[0] if len(chosen) == 1 and is_mesh(chosen[0]) else None
+
+
+def meshed(mesh):
+    """`mesh` itself. Raises core.InvalidInput, for the user, where it has not been meshed yet."""
+    if not mesh.Report:
+        raise core.InvalidInput(translate("{} is not meshed yet: mesh it first").format(mesh.Label))
+    return mesh
 
 
 def solid_owner(thing):
