@@ -4,13 +4,14 @@ the solver, and that keeps the material objects and the mesh groups from which F
 import hashlib
 import json
 import math
+from numbers import Integral, Real
 from typing import NamedTuple
 
 import FreeCAD
 import numpy as np
 
 from freecad.fgmesh import core, mixing
-from freecad.fgmesh.fem.bins import Bins, bins
+from freecad.fgmesh.fem.bins import MOST, Bins, bins
 from freecad.fgmesh.adapter import fem_module
 from freecad.fgmesh.fem.graded_fields import check_current, graded_mesh
 from freecad.fgmesh.model import constituents, presentation, stored
@@ -50,6 +51,11 @@ class Request(NamedTuple):
         """Those of all properties. Raises core.InvalidInput for whatever makes no sense in the request."""
         if self.mode not in MODES:
             raise core.InvalidInput(f"there is no mode {self.mode!r}: take one of {', '.join(MODES)}")
+        if isinstance(self.bins, bool) or not isinstance(self.bins, Integral) or not 1 <= self.bins <= MOST:
+            raise core.InvalidInput(f"bins must be a whole number from 1 to {MOST}, not {self.bins!r}")
+        error = self.allowed_error
+        if isinstance(error, bool) or not isinstance(error, Real) or not 0 <= error < 1:
+            raise core.InvalidInput(f"allowed_error must be a number from 0 to below 1, not {error!r}")
         return mixing.read_laws(self.mixing)
 
 

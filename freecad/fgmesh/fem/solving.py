@@ -13,6 +13,7 @@ import FreeCAD
 from freecad.fgmesh import core
 from freecad.fgmesh.fem.analysis import solvers_of
 from freecad.fgmesh.adapter import fem_module
+from freecad.fgmesh.fem.boundary_conditions import check_constraints, check_loads
 from freecad.fgmesh.fem.deck_names import check_names
 from freecad.fgmesh.fem.graded_material import check_filled, is_graded_material
 from freecad.fgmesh.fem.graded_solver import check_analysis, grade_deck, is_graded_solver
@@ -55,12 +56,16 @@ def write_deck(analysis, directory=None):
     own check finds something amiss."""
     solver = _solver(analysis)
     check_names(analysis)
+    check_constraints(analysis)
     tool = _tool(analysis, solver)
     tool.update_objects()
     tool.setup_working_dir(None if directory is None else str(directory))
     message = tool.check_prerequisites()
     if message:
-        raise core.InvalidInput(f"{analysis.Label} is not ready to be solved: {' '.join(message.split())}")
+        # FreeCAD says the same of each material, and there is one for each bin.
+        lines = dict.fromkeys(line.strip() for line in message.splitlines() if line.strip())
+        raise core.InvalidInput(f"{analysis.Label} is not ready to be solved: {' '.join(lines)}")
+    check_loads(analysis, solver.AnalysisType)
     tool.write_inp_file()
     if not tool.inp_file_name:
         raise core.InvalidInput(
