@@ -56,9 +56,15 @@ def close_menus():
 
 def show_preference_page(dialog, group):
     """Turns to a group of pages in the dialog of Edit, Preferences."""
-    (groups,) = [one for one in widgets_inside(dialog) if isinstance(one, QtGui.QListWidget)]
-    (item,) = groups.findItems(group, QtCore.Qt.MatchExactly)
-    groups.setCurrentItem(item)
+    # A list in FreeCAD 0.20, a tree in 1.x.
+    for view in [one for one in widgets_inside(dialog) if isinstance(one, QtGui.QAbstractItemView)]:
+        model = view.model()
+        found = model.match(model.index(0, 0), QtCore.Qt.DisplayRole, group, 1, QtCore.Qt.MatchExactly)
+        if found:
+            view.setCurrentIndex(found[0])
+            break
+    else:
+        raise AssertionError(f"the preferences have no group {group}")
     driver.settle(0.3)
 
 
