@@ -14,7 +14,7 @@ import Part
 from FreeCAD import Vector
 
 import freecad.fgmesh as fgmesh
-from freecad.fgmesh.adapter import hold, set_quantity
+from freecad.fgmesh.adapter import add_filter, hold, plotted, set_quantity
 from freecad.fgmesh.fem.result_fields import fields_of
 
 INNER, OUTER, HEIGHT = 10.0, 20.0, 1.5  # mm
@@ -81,17 +81,14 @@ def analyse(mesh):
 def probe(pipeline, field):
     """(r, values) of a field of the pipeline along a radius in the middle of the quarter."""
     line = pipeline.Document.addObject("Fem::FemPostDataAlongLineFilter", "Line")
-    pipeline.Filter = pipeline.Filter + [line]
+    add_filter(pipeline, line)
     inside = 1e-6 * OUTER  # off the border, where rounding decides what is in the solid
     diagonal = Vector(math.sqrt(0.5), math.sqrt(0.5), 0)
     ends = [diagonal * radius + Vector(0, 0, HEIGHT / 2) for radius in (INNER + inside, OUTER - inside)]
     line.Point1, line.Point2 = ends
     line.Resolution = 100
-    pipeline.Document.recompute(None, True)  # which gives it the pipeline's data
-    line.PlotData = field
-    line.touch()
-    pipeline.Document.recompute()
-    return INNER + np.array(line.XAxisData), np.array(line.YAxisData)
+    places, values = plotted(line, field)
+    return INNER + np.array(places), np.array(values)
 
 
 def exact(r):

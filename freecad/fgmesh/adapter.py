@@ -73,6 +73,34 @@ def hold(constraint, axes):
             setattr(constraint, f"{axis}Fix", True)
 
 
+def set_weight(weight, direction):
+    """Has a FEM constraint of self-weight act with standard gravity along `direction`, three numbers of length 1."""
+    if "GravityDirection" in weight.PropertiesList:
+        weight.GravityDirection = FreeCAD.Vector(*direction)
+    else:  # in 0.20
+        weight.Gravity_x, weight.Gravity_y, weight.Gravity_z = direction
+
+
+def add_filter(pipeline, post_filter):
+    """Has a post-processing filter take its data from `pipeline`."""
+    if "Filter" in pipeline.PropertiesList:
+        pipeline.Filter = [*pipeline.Filter, post_filter]
+    else:  # since 1.1 a pipeline is a group
+        pipeline.addObject(post_filter)
+
+
+def plotted(line, field):
+    """(places, values) of `field`, of a vector its length, along a Fem::FemPostDataAlongLineFilter."""
+    # 1.x plots nothing before a component is chosen, which it leaves to its window.
+    if "PlotDataComponent" in line.PropertiesList and not line.getEnumerationsOfProperty("PlotDataComponent"):
+        line.PlotDataComponent = ["Magnitude"]
+    line.Document.recompute(None, True)  # which gives it the pipeline's data
+    line.PlotData = field
+    line.touch()
+    line.Document.recompute()
+    return line.XAxisData, line.YAxisData
+
+
 CARD_FOLDERS = ("Mod/Material/StandardMaterial", "Mod/Material/Resources/Materials")
 """Of FreeCAD's resources: where its material cards are in 0.20, in 1.x."""
 

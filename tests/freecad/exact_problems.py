@@ -111,7 +111,7 @@ def patch_test(document, fgmesh, **options):
     formula = f"(1/(1 + {c}*x/{length}) - 1)/(1/(1 + {c}) - 1)"
     bench = Bench(document, fgmesh, shape, formula, (e0 / (1 + c), e0), nu, **options)
     for x in (0, length):
-        bench.constrain("Pressure", [("Face", (x, 0, 0))], Pressure=f"{stress!r} MPa", Reversed=True)
+        bench.constrain("Pressure", [("Face", (x, 0, 0))], Pressure=f"{stress} MPa", Reversed=True)
     _hold_statically(bench, half)
 
     def displacement(points):
@@ -131,7 +131,7 @@ def exponential_bar(document, fgmesh, **options):
     shape = Part.makeBox(length, 2 * half, 2 * half, Vector(0, -half, -half))
     formula = f"(exp({beta!r}*x/{length}) - 1)/7"
     bench = Bench(document, fgmesh, shape, formula, (8 * e0, e0), 0.0, **options)
-    bench.constrain("Pressure", [("Face", (length, 0, 0))], Pressure=f"{stress!r} MPa", Reversed=True)
+    bench.constrain("Pressure", [("Face", (length, 0, 0))], Pressure=f"{stress} MPa", Reversed=True)
     bench.hold("xyz", ("Face", (0, 0, 0)))
 
     def displacement(points):
@@ -160,9 +160,7 @@ def graded_strip(document, fgmesh, **options):
     # The integral of exp(b y) (bend y + stretch), of which the differences are the forces on the bands.
     forces = np.diff(np.exp(b * ends) * (bend * (b * ends - 1) / b**2 + stretch / b))
     for y, pull in zip((ends[1:] + ends[:-1]) / 2, forces / np.diff(ends)):
-        bench.constrain(
-            "Pressure", [("Face", (length, y, depth / 2))], Pressure=f"{pull!r} MPa", Reversed=True
-        )
+        bench.constrain("Pressure", [("Face", (length, y, depth / 2))], Pressure=f"{pull} MPa", Reversed=True)
     bench.hold("x", ("Face", (0, width / 2, depth / 2)))
     bench.hold("xyz", ("Vertex", (0, 0, 0)))
     bench.hold("xz", ("Vertex", (0, width, 0)))
@@ -191,7 +189,7 @@ def thick_cylinder(document, fgmesh, **options):
     formula = f"((r/{a})^{beta} - 1)/({k}^{beta} - 1)"
     bench = Bench(document, fgmesh, shape, formula, (e0 * k**beta, e0), nu, **options)
     middle, diagonal = (a + b) / 2, a / math.sqrt(2)
-    bench.constrain("Pressure", [("Face", (diagonal, diagonal, height / 2))], Pressure=f"{p!r} MPa")
+    bench.constrain("Pressure", [("Face", (diagonal, diagonal, height / 2))], Pressure=f"{p} MPa")
     bench.hold(
         "z",
         ("Face", (middle / 2**0.5, middle / 2**0.5, 0)),
@@ -217,7 +215,7 @@ def conduction(document, fgmesh, **options):
     )
     bench.kind = "thermomech"
     bench.constrain("Temperature", [("Face", (0, 0, 0))], Temperature="0 K")
-    bench.constrain("Temperature", [("Face", (length, 0, 0))], Temperature=f"{hot!r} K")
+    bench.constrain("Temperature", [("Face", (length, 0, 0))], Temperature=f"{hot} K")
     bench.constrain("InitialTemperature", [], initialTemperature="0 K")
     bench.hold("xyz", ("Face", (0, 0, 0)))
 

@@ -290,17 +290,17 @@ def test_nothing_stays_open(box, material):
     assert len(os.listdir("/proc/self/fd")) == before
 
 
-def test_no_child_outlives_its_parent(shapes, build_dir):
+def test_no_child_outlives_its_parent(shapes, own_namespace):
     code = (
-        "import sys; sys.path.insert(0, sys.argv[1])\n"
+        f"{own_namespace}import sys\n"
         "from freecad.fgmesh import core, worker\n"
         "options = core.MeshingOptions(material_threshold=0.002)\n"
-        "run = worker.start(sys.argv[2], core.Material(['x/10']), options)\n"
+        "run = worker.start(sys.argv[1], core.Material(['x/10']), options)\n"
         "run.wait(1)\n"
         "print(run._process.pid, flush=True)\n"
         "run.wait()\n"
     )
-    command = [sys.executable, "-P", "-c", code, str(build_dir / "Mod" / "FGMesh"), str(shapes / "box.brep")]
+    command = [sys.executable, "-P", "-c", code, str(shapes / "box.brep")]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as parent:
         pid = int(parent.stdout.readline())
         assert is_alive(pid)
