@@ -165,3 +165,24 @@ def test_features_that_change_the_shape_are_refused_with_a_cure(fgmesh, core, do
         mesh.MaterialThreshold = 0.4
         fgmesh.generate(mesh)
         assert mesh.Status == "ok"
+
+
+def test_an_element_of_a_link_with_a_material_of_its_own(fgmesh, document, wedge, link, core):
+    array = link(wedge, 2)
+    array.ElementList[1].Placement.Base.x = 30
+    fgmesh.attach_material(array.ElementList[1], "0.5")
+    document.recompute()
+    with pytest.raises(
+        core.InvalidInput, match="has a material of its own beside that of its original"
+    ) as caught:
+        fgmesh.generate(fgmesh.make_mesh(document, array))
+    assert array.ElementList[1].Label in str(caught.value)
+    # The cure.
+    both = document.addObject("Part::Compound", "Both")
+    both.Links = [array.ElementList[0], array.ElementList[1]]
+    document.recompute()
+    mesh = fgmesh.make_mesh(document, both)
+    mesh.MaterialThreshold = 0.4
+    result = fgmesh.generate(mesh)
+    assert np.allclose(result.tet_fractions[result.tet_solids == 2, :, 0], 0.5)
+    assert np.ptp(result.tet_fractions[result.tet_solids == 1, :, 0]) > 0.8

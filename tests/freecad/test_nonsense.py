@@ -101,3 +101,56 @@ def test_what_each_bin_lacks_is_told_once(bar, analysis, document, fgmesh, core)
     with pytest.raises(core.InvalidInput) as caught:
         fgmesh.solve(made)
     assert str(caught.value).count("No Density") == 1
+
+
+def test_a_displacement_that_holds_nothing(bar, analysis, fgmesh, core):
+    made = analysis(mode="bins")
+    held = constraint(made, bar, "Displacement")
+    for axis in "xyz":
+        setattr(held, f"{axis}Free", True)
+        if f"{axis}Fix" in held.PropertiesList:
+            setattr(held, f"{axis}Fix", False)
+    refused(fgmesh, core, made, "holds 0 of the 6 ways in which Part can move and turn as a whole")
+
+
+@pytest.mark.parametrize("axes", ["x", "yz"])
+def test_a_face_across_x_that_is_held_along_some_axes(bar, analysis, fgmesh, core, axes):
+    """Along x it neither moves so nor turns about y or z; along y and z it neither moves so nor turns about x."""
+    made = analysis(mode="bins")
+    held = constraint(made, bar, "Displacement")
+    for axis in set("xyz") - set(axes):
+        setattr(held, f"{axis}Free", True)
+        if f"{axis}Fix" in held.PropertiesList:
+            setattr(held, f"{axis}Fix", False)
+    refused(fgmesh, core, made, "holds 3 of the 6 ways")
+
+
+def test_a_pressure_on_a_solid(bar, analysis, fgmesh, core):
+    made = analysis(mode="bins")
+    constraint(made, bar, "Pressure").References = [(bar.part, "Solid1")]
+    refused(fgmesh, core, made, "Pressure acts on Solid1 of Part, but can act on Face alone")
+
+
+def test_what_is_no_analysis(bar, fgmesh, core):
+    for wrong in (None, bar.mesh, 3):
+        with pytest.raises(core.InvalidInput, match="is no FEM analysis"):
+            fgmesh.solve(wrong)
+    with pytest.raises(core.InvalidInput, match="mixing must be"):
+        fgmesh.make_analysis(bar.mesh, mixing=3)
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        {"references": 5},
+        {"constituents": 5},
+        {"tables": 5},
+        {"fractions": None},
+        {"parameters": ["h"]},
+        {"parameters": {3: 1.0}},
+    ],
+)
+def test_arguments_of_materials_of_other_kinds(bar, fgmesh, core, wrong):
+    (name,) = wrong
+    with pytest.raises(core.InvalidInput, match=f"{name} must be"):
+        fgmesh.attach_material(bar.part, **{"fractions": "x/10", **wrong})

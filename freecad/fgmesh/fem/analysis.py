@@ -27,7 +27,7 @@ def make_analysis(mesh, mode="bins", bins=20, mixing=None, allowed_error=0.0, an
     move to a new one. Raises core.InvalidInput, core.GeometryError and leaves the document as it was. One undo
     step. Returns the analysis.
     """
-    request = Request(mode, bins, allowed_error, dict(mixing or {}))
+    request = Request(mode, bins, allowed_error, {} if mixing is None else mixing)
     request.laws()
     check_current(mesh)
     document = mesh.Document

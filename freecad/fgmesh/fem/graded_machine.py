@@ -7,7 +7,7 @@ from pathlib import Path
 
 from freecad.fgmesh import core
 from freecad.fgmesh.adapter import fem_module
-from freecad.fgmesh.fem.boundary_conditions import check_constraints, check_loads
+from freecad.fgmesh.fem.boundary_conditions import check_constraints, check_held, check_loads
 from freecad.fgmesh.fem.deck_names import check_names
 from freecad.fgmesh.fem.graded_solver import check_analysis, grade_deck
 
@@ -35,6 +35,7 @@ class Check(tasks.Check):
             check_names(self.analysis)
             check_constraints(self.analysis)
             check_loads(self.analysis, self.solver.AnalysisType)
+            check_held(self.analysis, self.solver.AnalysisType)
         except core.Error as error:
             self.report.error(f"{error}\n")
             self.fail()

@@ -53,6 +53,8 @@ class Request(NamedTuple):
             raise core.InvalidInput(f"there is no mode {self.mode!r}: take one of {', '.join(MODES)}")
         if isinstance(self.bins, bool) or not isinstance(self.bins, Integral) or not 1 <= self.bins <= MOST:
             raise core.InvalidInput(f"bins must be a whole number from 1 to {MOST}, not {self.bins!r}")
+        if not isinstance(self.mixing, dict):
+            raise core.InvalidInput(f"mixing must be {{property: law}}, not {self.mixing!r}")
         error = self.allowed_error
         if isinstance(error, bool) or not isinstance(error, Real) or not 0 <= error < 1:
             raise core.InvalidInput(f"allowed_error must be a number from 0 to below 1, not {error!r}")

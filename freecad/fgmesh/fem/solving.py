@@ -13,7 +13,7 @@ import FreeCAD
 from freecad.fgmesh import core
 from freecad.fgmesh.fem.analysis import solvers_of
 from freecad.fgmesh.adapter import fem_module
-from freecad.fgmesh.fem.boundary_conditions import check_constraints, check_loads
+from freecad.fgmesh.fem.boundary_conditions import check_constraints, check_held, check_loads
 from freecad.fgmesh.fem.deck_names import check_names
 from freecad.fgmesh.fem.graded_material import check_filled, is_graded_material
 from freecad.fgmesh.fem.graded_solver import check_analysis, grade_deck, is_graded_solver
@@ -66,6 +66,7 @@ def write_deck(analysis, directory=None):
         lines = dict.fromkeys(line.strip() for line in message.splitlines() if line.strip())
         raise core.InvalidInput(f"{analysis.Label} is not ready to be solved: {' '.join(lines)}")
     check_loads(analysis, solver.AnalysisType)
+    check_held(analysis, solver.AnalysisType)
     tool.write_inp_file()
     if not tool.inp_file_name:
         raise core.InvalidInput(
@@ -77,6 +78,8 @@ def write_deck(analysis, directory=None):
 
 
 def _solver(analysis):
+    if not (hasattr(analysis, "isDerivedFrom") and analysis.isDerivedFrom("Fem::FemAnalysis")):
+        raise core.InvalidInput(f"{getattr(analysis, 'Label', analysis)} is no FEM analysis")
     solvers = solvers_of(analysis)
     if len(solvers) != 1:
         raise core.InvalidInput(

@@ -90,6 +90,12 @@ def _owners(thing):
 
 def _owners_of_copies(thing, solids, sources):
     instances.check_not_scaled(thing)
+    for element in getattr(thing, "ElementList", []):
+        if element.TypeId.startswith("App::Link") and _has_own_material(element):
+            raise core.InvalidInput(
+                f"{element.Label}, an element of {thing.Label}, has a material of its own beside that of its original: "
+                f"put {element.Label} and the others into a compound and mesh that, or take its material away"
+            )
     originals = [pair for source in sources for pair in zip(source.Shape.Solids, _owners(source))]
     found, made = [], {}
     for number, solid in enumerate(solids):

@@ -73,6 +73,7 @@ def attach_material(solid, fractions, parameters=None, constituents=(), frame=No
     shape has no valid solid, and leaves the solid as it was. One undo
     step. Returns the solid.
     """
+    _check_kinds(fractions, parameters, constituents, references, tables)
     fractions = [fractions] if isinstance(fractions, str) else list(fractions)
     parameters = {name: plain_number(value) for name, value in (parameters or {}).items()}
     frame = FreeCAD.Placement() if frame is None else frame
@@ -164,6 +165,16 @@ def _material(fractions, parameters, frame, links, tables, solid, placement=Free
     rotation = [matrix[0:3], matrix[4:7], matrix[8:11]]
     references = unread(links, solid, placement)
     return core.Material(list(fractions), parameters, tuple(frame.Base), rotation, references, tables=tables)
+
+
+def _check_kinds(fractions, parameters, constituents, references, tables):
+    given = {"fractions": fractions, "constituents": constituents, "references": references, "tables": tables}
+    for name, value in given.items():
+        if not hasattr(value, "__iter__"):
+            raise core.InvalidInput(f"{name} must be a list, not {value!r}")
+    named = parameters is None or hasattr(parameters, "items")
+    if not named or not all(isinstance(name, str) for name in parameters or ()):
+        raise core.InvalidInput(f"parameters must be {{name: number}}, not {parameters!r}")
 
 
 def _check(solid, fractions, frame, names):
