@@ -32,16 +32,17 @@ class Bench:
         self.constraints = []
 
     def constrain(self, kind, places, **values):
-        """A constraint of makeConstraint<kind> on the parts of the shape at `places`, ("Face" or "Vertex", point)."""
+        """A constraint of makeConstraint<kind> on the parts of the shape at `places`, ("Face" or "Vertex", point); `values`
+        are flags, and texts as "5 MPa"."""
         import ObjectsFem
 
         constraint = getattr(ObjectsFem, f"makeConstraint{kind}")(self.document, kind)
         constraint.References = [(self.part, self._name(*place)) for place in places]
         for name, value in values.items():
-            if isinstance(value, str):
-                adapter.set_quantity(constraint, name, value)
-            else:
+            if isinstance(value, bool):
                 setattr(constraint, name, value)
+            else:  # a text with its unit
+                adapter.set_quantity(constraint, name, value)
         self.constraints.append(constraint)
         return constraint
 

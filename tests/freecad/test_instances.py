@@ -120,6 +120,34 @@ def test_clones_and_arrays_of_draft(fgmesh, document, wedge):
         check(fgmesh, document, polar, [turn.multiply(wedge.Placement) for turn in turns])
 
 
+@pytest.mark.parametrize("use_link", [True, False])
+def test_further_arrays_of_draft(fgmesh, document, wedge, use_link):
+    import Draft
+
+    corner = Draft.make_wire([Vector(), Vector(90, 0, 0), Vector(90, 90, 0)])
+    spots = [document.addObject("Part::Vertex", "Spot") for _ in range(3)]
+    for number, spot in enumerate(spots):
+        spot.X, spot.Y = 40 * number, 60 * number % 100
+    cloud = document.addObject("Part::Compound", "Cloud")
+    cloud.Links = spots
+    document.recompute()
+    pair = Draft.make_ortho_array(wedge, Vector(0, 0, 30), Vector(), Vector(), 2, 1, 1, use_link=use_link)
+    document.recompute()
+    arrays = {
+        3: Draft.make_path_array(wedge, corner, 3, align=True, use_link=use_link),
+        4: Draft.make_path_twisted_array(wedge, corner, 4, rot_factor=0.3, use_link=use_link),
+        "spots": Draft.make_point_array(wedge, cloud, use_link=use_link),
+        7: Draft.make_circular_array(wedge, 60, 60, 2, 1, Vector(0, 0, 1), Vector(), use_link=use_link),
+        "pairs": Draft.make_polar_array(pair, 2, 360, Vector(200, 0, 0), use_link=use_link),
+    }
+    document.recompute()
+    for count, array in arrays.items():
+        places = [solid.Placement for solid in array.Shape.Solids]  # that of a box moves with it
+        assert len(places) == {"spots": 3, "pairs": 4}.get(count, count)
+        assert len({tuple(round(number, 6) for number in place.Base) for place in places}) == len(places)
+        check(fgmesh, document, array, places)
+
+
 def test_compounds_of_instances_and_filters_of_them(fgmesh, document, wedge, link):
     from CompoundTools import CompoundFilter
 

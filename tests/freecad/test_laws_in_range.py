@@ -18,7 +18,7 @@ def prism(document, fgmesh):
         shape = Part.makeBox(10, 10, LENGTH)
         formula = f"{low} + {high - low}*z/{LENGTH}"
         bench = exact_problems.Bench(document, fgmesh, shape, formula, (3500.0, 100.0), 0.0, **options)
-        bench.constrain("Pressure", [("Face", (5, 5, LENGTH))], Pressure=1.0, Reversed=True)
+        bench.constrain("Pressure", [("Face", (5, 5, LENGTH))], Pressure="1 MPa", Reversed=True)
         bench.hold("xyz", ("Face", (5, 5, 0)))
         fgmesh.generate(bench.mesh)
         return bench

@@ -2,6 +2,7 @@
 """FreeCAD in a real window under Xvfb, driven by a script."""
 import json
 import os
+import random
 import subprocess
 import xml.etree.ElementTree as xml
 from pathlib import Path
@@ -65,7 +66,19 @@ def run_freecad(tmp_path, freecad_home):
             "LIBGL_ALWAYS_SOFTWARE": "1",
             **environment,
         }
-        command = ["xvfb-run", "--auto-servernum", "-s", f"-screen 0 {screen}", "freecad", str(path)]
+        # Tests that run beside these, perhaps in another root, look for a free number from another one on: two that
+        # choose the same at the same moment end each other's server.
+        first = str(100 + random.randrange(20000))
+        command = [
+            "xvfb-run",
+            "-n",
+            first,
+            "--auto-servernum",
+            "-s",
+            f"-screen 0 {screen}",
+            "freecad",
+            str(path),
+        ]
         done = subprocess.run(command, env=variables, capture_output=True, text=True, timeout=240)
         return done.stdout + done.stderr
 
