@@ -172,7 +172,7 @@ select(part)
 command("FGMesh_Mesh")
 told = {}
 for name in ("SurfaceDeviation", "MinSize", "MaxSize"):
-    for text in ("much", "-1", "3 kg", "nan"):
+    for text in ("much", "-1", "3 kg", "3 mm^2", "nan"):
         write("FGMesh" + name, text)
         settle(0.1)
         told[name + " " + text] = [widget("FGMeshRunMessage").kind, widget("FGMeshRunMessage").text(), widget("FGMeshStart").isEnabled()]

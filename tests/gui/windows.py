@@ -56,12 +56,13 @@ def close_menus():
 
 def show_preference_page(dialog, group):
     """Turns to a group of pages in the dialog of Edit, Preferences."""
-    # A list in FreeCAD 0.20, a tree in 1.x.
+    # A list in FreeCAD 0.20, a tree in 1.x, which turns to the page when it is clicked.
     for view in [one for one in widgets_inside(dialog) if isinstance(one, QtGui.QAbstractItemView)]:
         model = view.model()
         found = model.match(model.index(0, 0), QtCore.Qt.DisplayRole, group, 1, QtCore.Qt.MatchExactly)
         if found:
-            view.setCurrentIndex(found[0])
+            view.scrollTo(found[0])
+            driver.click(view.viewport(), view.visualRect(found[0]).center())
             break
     else:
         raise AssertionError(f"the preferences have no group {group}")

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Fields for lengths, read and written by FreeCAD's own quantity field in the unit schema of the user."""
 import functools
+import math
 
+import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
@@ -38,6 +40,11 @@ class _QuantityHolder(QtGui.QWidget):
     @property
     def line(self):
         return self.findChild(QtGui.QLineEdit)
+
+    @property
+    def is_length(self):
+        """False where a quantity of another kind stands in the field, as FreeCAD 1.0 lets one."""
+        return self.field.property("value").Unit == FreeCAD.Units.Length
 
     @property
     def millimetres(self):
@@ -122,7 +129,7 @@ def read_length(text, about=0.0):
     for before in ("1 mm", "2 mm"):  # what is no length leaves the value as it was
         line.setText(before)
         line.setText(text)
-        found.append(reader.millimetres)
+        found.append(reader.millimetres if reader.is_length else math.nan)
     if found[0] != found[1] or not abs(found[0]) < _FARTHEST:
         raise ValueError(text)
     return found[0]
