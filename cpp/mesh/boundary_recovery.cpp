@@ -298,6 +298,7 @@ class Recovery {
       if (!triangle.alive()) continue;
       for (int i = 0; i < 3; ++i) {
         const int a = triangle.vertex[i], b = triangle.vertex[(i + 1) % 3];
+        if (state_.complex.crease(a, b)) continue;  // recovered for the triangle on its other side
         if (recover_edge(a, b)) {
           const int edge = surface_.crease(a, b);
           state_.complex.set_crease(a, b, edge ? edge : kKept);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -16,7 +17,8 @@ class Bridging {
   /// Returns whether anything was bridged.
   bool pass(RunControl& control) {
     bool changed = false;
-    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+    const std::size_t old_triangles = mesh_.triangles.size();  // new ones wait, so that this ends on any face
+    for (std::size_t t = 0; t < old_triangles; ++t) {
       if (t % 1024 == 0) control.check();
       if (mesh_.triangles[t].alive() && altitude(mesh_.triangles[t]) < size_)
         changed = bridge(static_cast<int>(t)) || changed;
@@ -70,11 +72,22 @@ class Bridging {
     if (length(v[2], near) < size_) return merge(v[2], near) || merge(near, v[2]);
     const Carrier& apex = mesh_.vertices[v[2]].carrier;
     const int edge = mesh_.crease(v[0], v[1]);
-    if (!edge || apex.dimension > 1 || (apex.dimension == 1 && apex.number == edge) ||
-        is_wall(v[2], {v[0], v[1]}))
-      return false;
+    if (apex.dimension == 1 && apex.number == edge) return false;
+    if (!edge) return apex.dimension < 2 && turn(v);
+    if (is_wall(v[2], {v[0], v[1]})) return false;
     const int foot = mesh_.split(v[0], v[1], mesh_.position(v[2]));
+    // A vertex inside a face goes onto an edge of the shape: merge() lets none leave its edge.
     return foot >= 0 && (merge(foot, v[2]) || merge(v[2], foot));
+  }
+
+  /// Exchanges the longest edge, inside a narrow face, for one across it. Each makes edges shorter.
+  bool turn(const std::array<int, 3>& v) {
+    std::vector<int> around;
+    mesh_.at_edge(v[0], v[1], around);
+    for (int t : around)
+      if (const int beyond = mesh_.triangles[t].apex(v[0], v[1]); beyond != v[2])
+        return length(v[2], beyond) < length(v[0], v[1]) && mesh_.exchange(v[0], v[1]);
+    return false;
   }
 
   bool merge(int v, int w) {
@@ -122,15 +135,17 @@ class Bridging {
     return !(before.dot(after) > kLeastCosine * before.norm() * after.norm());
   }
 
-  /// Whether faces that look away from each other would come together: those at v, and those at another
-  /// vertex or edge. Also where the two are not of the same solids.
-  bool is_wall(int v, const std::vector<int>& other) const {
-    constexpr double kOpposite = -0.7;  // cosine
+  /// Whether the two sides of a wall would come together: faces at v, and at another vertex or edge, that
+  /// look away from each other. At the end of a wedge they may. Also where the two are not of the same
+  /// solids.
+  bool is_wall(int v, const std::vector<int>& other) {
+    constexpr double kOpposite = -0.996;  // cosine; a wedge of 5 degrees
     std::vector<int> beside;
     for (int t : mesh_.at(other.front()))
       if (mesh_.triangles[t].has(other.back())) beside.push_back(t);
-    const std::vector<Vec3> normals = normals_of(mesh_.at(v));
-    for (const Vec3& normal : normals_of(beside))
+    const int near = length(v, other.back()) < length(v, other.front()) ? other.back() : other.front();
+    const std::vector<Vec3> normals = normals_at(v, mesh_.at(v));
+    for (const Vec3& normal : normals_at(near, beside))
       for (const Vec3& own : normals)
         if (own.dot(normal) < kOpposite) return true;
     return solids_of(mesh_.at(v)) != solids_of(beside);
@@ -142,21 +157,26 @@ class Bridging {
     return solids;
   }
 
-  /// Of the true faces: narrow triangles may have turned over.
-  std::vector<Vec3> normals_of(const std::vector<int>& triangles) const {
+  /// Of the true faces, since narrow triangles may have turned over; right at the vertex, since on a bent
+  /// wall normals beside it differ by as much as those of a wedge.
+  std::vector<Vec3> normals_at(int v, const std::vector<int>& triangles) {
+    std::set<int> faces;
+    for (int t : triangles) faces.insert(mesh_.triangles[t].face);
     std::vector<Vec3> normals;
-    for (int t : triangles) {
-      const auto& [a, b, c] = mesh_.triangles[t].vertex;
-      const Vec3 centre = (mesh_.position(a) + mesh_.position(b) + mesh_.position(c)) / 3.0;
-      normals.push_back(mesh_.state().boundary().project_to_face(mesh_.triangles[t].face, centre).normal);
+    for (int face : faces) {
+      const auto [known, is_new] = normals_.try_emplace({v, face});
+      // Slow to ask in sharp corners.
+      if (is_new) known->second = mesh_.state().boundary().project_to_face(face, mesh_.position(v)).normal;
+      normals.push_back(known->second);
     }
     return normals;
   }
 
   SurfaceMesh& mesh_;
   double size_;
-  std::vector<double> drawn_;              // how far what has become a vertex was from it
-  std::set<std::pair<int, int>> touched_;  // dimension and number
+  std::vector<double> drawn_;                    // how far what has become a vertex was from it
+  std::set<std::pair<int, int>> touched_;        // dimension and number
+  std::map<std::pair<int, int>, Vec3> normals_;  // of vertex and face
 };
 
 }  // namespace

@@ -260,17 +260,21 @@ bool SurfaceMesh::unfold(int t) {
     for (int w : neighbours(v, v).own) {
       if (!neighbours(v, w).closed) continue;
       Draw draw{0, (position(v) - position(w)).norm(), v, w};
+      const auto is_best = [&] {
+        return draw.inward < inward &&
+               (best.from < 0 || std::tie(draw.inward, draw.length) < std::tie(best.inward, best.length));
+      };
       bool flat = false;
       for (int u : at_[v]) {
         if (triangles[u].has(w)) continue;
         std::array<int, 3> made = triangles[u].vertex;
         std::replace(made.begin(), made.end(), v, w);
-        draw.inward += !faces_out(made, triangles[u].face, 0.0);
-        flat = flat || slenderness(made) < std::min(kFlat, slenderness(triangles[u].vertex));
+        flat = slenderness(made) < std::min(kFlat, slenderness(triangles[u].vertex));
+        draw.inward += !flat && !faces_out(made, triangles[u].face, 0.0);
+        // At a vertex of very many triangles most draws are out of the question after the first few.
+        if (flat || !is_best()) break;
       }
-      if (flat || draw.inward >= inward) continue;
-      if (best.from < 0 || std::tie(draw.inward, draw.length) < std::tie(best.inward, best.length))
-        best = draw;
+      if (!flat && is_best()) best = draw;
     }
   }
   if (best.from < 0) return false;
@@ -278,14 +282,39 @@ bool SurfaceMesh::unfold(int t) {
   return true;
 }
 
-bool SurfaceMesh::flip(int a, int b, double chord) {
-  if (crease(a, b)) return false;
+std::optional<SurfaceMesh::Quadrilateral> SurfaceMesh::quadrilateral(int a, int b) const {
+  if (crease(a, b)) return std::nullopt;
   std::vector<int> around;
   at_edge(a, b, around);
-  if (around.size() != 2 || triangles[around[0]].face != triangles[around[1]].face) return false;
-  SurfaceTriangle first = triangles[around[0]], second = triangles[around[1]];
-  const int c = first.apex(a, b), d = second.apex(a, b);
-  if (c == d) return false;
+  if (around.size() != 2 || triangles[around[0]].face != triangles[around[1]].face) return std::nullopt;
+  const Quadrilateral quad{
+      {around[0], around[1]}, triangles[around[0]].apex(a, b), triangles[around[1]].apex(a, b)};
+  if (quad.c == quad.d) return std::nullopt;
+  at_edge(quad.c, quad.d, around);
+  return around.empty() ? std::optional(quad) : std::nullopt;
+}
+
+std::array<SurfaceTriangle, 2> SurfaceMesh::exchanged(int a, int b, const Quadrilateral& quad) const {
+  std::array<SurfaceTriangle, 2> made = {triangles[quad.triangles[0]], triangles[quad.triangles[1]]};
+  std::replace(made[0].vertex.begin(), made[0].vertex.end(), b, quad.d);  // (a, b, c) -> (a, d, c)
+  std::replace(made[1].vertex.begin(), made[1].vertex.end(), a, quad.c);  // (b, a, d) -> (b, c, d)
+  return made;
+}
+
+bool SurfaceMesh::exchange(int a, int b) {
+  const std::optional<Quadrilateral> quad = quadrilateral(a, b);
+  if (!quad) return false;
+  const std::array<SurfaceTriangle, 2> made = exchanged(a, b, *quad);
+  for (int t : quad->triangles) remove(t);
+  for (const SurfaceTriangle& triangle : made) add(triangle);
+  return true;
+}
+
+bool SurfaceMesh::flip(int a, int b, double chord) {
+  const std::optional<Quadrilateral> quad = quadrilateral(a, b);
+  if (!quad) return false;
+  const SurfaceTriangle &first = triangles[quad->triangles[0]], &second = triangles[quad->triangles[1]];
+  const int c = quad->c, d = quad->d;
   const auto angle = [&](int apex) {
     const Vec3 p = position(a) - position(apex), q = position(b) - position(apex);
     return std::atan2(p.cross(q).norm(), p.dot(q));
@@ -294,8 +323,6 @@ bool SurfaceMesh::flip(int a, int b, double chord) {
   const bool folded = normal(first).dot(normal(second)) < 0.0 && !(faces_out(first.vertex, first.face, 0.0) &&
                                                                    faces_out(second.vertex, first.face, 0.0));
   if (!folded && angle(c) + angle(d) <= M_PI + 1e-6) return false;
-  at_edge(c, d, around);
-  if (!around.empty()) return false;
   const auto error = [&](int p, int q) { return chord_error(state_, vertices[p], vertices[q], first.face); };
   double allowed =
       std::max(std::min(chord, kLargestChordError * (position(c) - position(d)).norm()), error(a, b));
@@ -306,17 +333,9 @@ bool SurfaceMesh::flip(int a, int b, double chord) {
     allowed =
         std::max(allowed, kFartherThanOld * std::max({error(a, c), error(c, b), error(b, d), error(d, a)}));
   if (error(c, d) > allowed) return false;
-  std::array<int, 3> made_first = first.vertex, made_second = second.vertex;
-  std::replace(made_first.begin(), made_first.end(), b, d);    // (a, b, c) -> (a, d, c)
-  std::replace(made_second.begin(), made_second.end(), a, c);  // (b, a, d) -> (b, c, d)
-  if (!faces_out(made_first, first.face, 1e-4) || !faces_out(made_second, first.face, 1e-4)) return false;
-  at_edge(a, b, around);
-  for (int t : around) remove(t);
-  first.vertex = made_first;
-  second.vertex = made_second;
-  add(first);
-  add(second);
-  return true;
+  for (const SurfaceTriangle& made : exchanged(a, b, *quad))
+    if (!faces_out(made.vertex, first.face, 1e-4)) return false;
+  return exchange(a, b);
 }
 
 }  // namespace fgmesh

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -83,8 +84,19 @@ class SurfaceMesh {
   /// Exchanges the edge (a, b) inside a face for the other diagonal, if the angles opposite ask for it
   /// (Delaunay) and the surface allows it. Returns whether it did.
   bool flip(int a, int b, double chord);
+  /// The same whatever the triangles made. Returns false where the edge is none inside a face, or the
+  /// diagonal is an edge already.
+  bool exchange(int a, int b);
 
  private:
+  /// The two triangles at an edge that may be exchanged for a diagonal, and that diagonal.
+  struct Quadrilateral {
+    std::array<int, 2> triangles;
+    int c, d;  ///< apices of the first and the second
+  };
+  std::optional<Quadrilateral> quadrilateral(int a, int b) const;
+  /// The triangles that the other diagonal makes.
+  std::array<SurfaceTriangle, 2> exchanged(int a, int b, const Quadrilateral& quad) const;
   /// What surrounds two neighbours that are to become one.
   struct Neighbours {
     std::vector<int> own;   ///< neighbours of the first, ascending

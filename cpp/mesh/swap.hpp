@@ -76,8 +76,7 @@ class Swapper {
 
   /// Removes the edge (a, b), which tetrahedron t has, if some other filling of its ring costs less.
   bool remove_edge(int a, int b, int t) {
-    state_.complex.ring(a, b, t, ring_);
-    return remove_ringed_edge(a, b);
+    return state_.complex.small_ring(a, b, t, kLargestRing, ring_) && remove_ringed_edge(a, b);
   }
   /// The same where ring() is that of the edge already.
   bool remove_ringed_edge(int a, int b);
@@ -101,7 +100,7 @@ class Swapper {
   bool half_is_free(int from, int to, bool other_is_flat) const;
   void fill_polygon(int i, int j, int a, int b, int solid);
 
-  static constexpr int kLargestRing = 7;
+  static constexpr int kLargestRing = 7;  // vertices
 
   MeshState& state_;
   const SwapObjective& objective_;

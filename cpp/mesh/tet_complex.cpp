@@ -174,6 +174,10 @@ void TetComplex::ring(int a, int b, int t, EdgeRing& ring) const {
   walk_ring(a, b, t, ring, [](int) { return true; });
 }
 
+bool TetComplex::small_ring(int a, int b, int t, std::size_t most, EdgeRing& ring) const {
+  return walk_ring(a, b, t, ring, [&](int) { return ring.tet.size() < most; });
+}
+
 bool TetComplex::ring_of_first(int a, int b, int t, EdgeRing& ring) const {
   return walk_ring(a, b, t, ring, [t](int other) { return other >= t; });
 }

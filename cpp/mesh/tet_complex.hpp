@@ -75,6 +75,9 @@ class TetComplex {
 
   /// The ring of edge (a, b), which tetrahedron t has. Where solids touch along the edge, one part of it.
   void ring(int a, int b, int t, EdgeRing& ring) const;
+  /// The same if the ring has at most `most` tetrahedra. Else false, and what `ring` holds is of no use: some
+  /// edges beside very fine parts of the boundary have thousands.
+  bool small_ring(int a, int b, int t, std::size_t most, EdgeRing& ring) const;
   /// The same if t is the first, by its slot, of the ring. Else false, and what `ring` holds is of no use:
   /// who asks for the edges of all tetrahedra gets each ring once, and gives the others up early.
   bool ring_of_first(int a, int b, int t, EdgeRing& ring) const;

@@ -74,17 +74,37 @@ def teardrop():
     return extruded([curve(Part.BezierCurve, (0, 0), (30, 10), (30, -10), (0, 0))], 8)
 
 
+def naca(x):
+    """Half the thickness of an airfoil of chord 1."""
+    return 0.6 * (0.2969 * math.sqrt(x) - 0.1260 * x - 0.3516 * x**2 + 0.2843 * x**3 - 0.1036 * x**4)
+
+
 def airfoil():
     """As thin as wanted towards the trailing edge, on two sides of one face."""
 
-    def half_thickness(x):
-        return 0.6 * (
-            0.2969 * math.sqrt(x) - 0.1260 * x - 0.3516 * x**2 + 0.2843 * x**3 - 0.1036 * x**4
-        )
-
     stations = [0.5 * (1 + math.cos(math.pi * i / 12)) for i in range(13)]
-    upper = [(50 * x, 50 * half_thickness(x)) for x in stations]
+    upper = [(50 * x, 50 * naca(x)) for x in stations]
     return extruded([curve(Part.BSplineCurve, *upper, *((x, -y) for x, y in reversed(upper[:-1])))], 40)
+
+
+def blade():
+    """Its trailing edge is a strip a few ten-millionths of the part wide, at the end of a wedge of 17 degrees."""
+
+    def section(chord, height):
+        stations = [0.5 * (1 + math.cos(math.pi * i / 12)) for i in range(13)]
+        upper = [(chord * x, chord * naca(x) + 6e-5 * x, height) for x in stations]
+        outline = curve(Part.BSplineCurve, *upper, *((x, -y, z) for x, y, z in reversed(upper[:-1])))
+        ends = [vertex.Point for vertex in outline.Vertexes]
+        return Part.Wire([outline, Part.makeLine(ends[1], ends[0])])
+
+    return Part.makeLoft([section(200, 0), section(100, 300)], True)
+
+
+def narrow_rings():
+    """A wavy wall of rings, each a four-hundredth as wide as long."""
+    wall = [Vector(20 + 2 * math.sin(i / 8), 0, 0.2 * i) for i in range(6)]
+    outline = [Vector(10, 0, 0), *wall, Vector(10, 0, 1), Vector(10, 0, 0)]
+    return Part.Face(Part.makePolygon(outline)).revolve(Vector(), Z, 360)
 
 
 def nearly_horn():
@@ -173,6 +193,7 @@ VOLUMES = {
     slender_rod: 60 * math.pi,
     teardrop: 0.15 * 600 * 8,
     airfoil: 40 * area_within(next(edge for edge in airfoil().Edges if edge.isClosed())),
+    narrow_rings: None,
     nearly_horn: 2 * math.pi**2 * 10.1 * 10**2,
     coil: math.pi * 1.5**2 * math.hypot(20 * math.pi, 8),
     crossing_bores: None,
@@ -271,6 +292,28 @@ def test_features_above_min_size_are_kept(core):
     assert result.volume == pytest.approx(shape.Volume, rel=1e-9)
 
 
+def test_a_strip_at_the_end_of_a_wedge_is_bridged(core):
+    """Samples of such a strip lie inside it, and those of its two borders are at other places."""
+    shape = blade()
+    strip = min(shape.Faces, key=lambda face: face.Area)
+    result = meshed(shape, core)
+    assert {1, 2, 3, 4} - set(result.triangle_faces) == {
+        1 + [face.isSame(strip) for face in shape.Faces].index(True)
+    }
+    root = max((face for face in shape.Faces if face.BoundBox.ZMax < 1), key=lambda face: face.Area)
+    area = area_within(max(root.Edges, key=lambda edge: edge.Length))
+    assert result.volume == pytest.approx(300 * area * (1 + 1 / 2 + 1 / 4) / 3, rel=5e-3)
+    assert result.dihedral_min.min() >= 10
+
+
+def test_a_thin_bent_wall_is_no_feature_to_bridge(core):
+    """The normals of its two sides differ as those of a wedge do, where they are not taken at one place."""
+    shape = bent_plate(0.003)
+    options = core.MeshingOptions(stop_after="initial")
+    result = core.generate_mesh(shape.exportBrepToString(), core.Material(["0.5"]), options)
+    assert set(result.triangle_faces) == set(range(1, 7))
+
+
 @pytest.mark.parametrize("thickness", [0.05, 0.005])
 def test_thin_walls_are_no_features_to_bridge(thickness, core):
     shape = Part.makeBox(10, 10, thickness)
@@ -286,6 +329,14 @@ def test_a_wall_is_fine_where_it_is_thinnest(core):
     result = core.generate_mesh(shape.exportBrepToString(), core.Material(["0.5"]), options)
     assert result.dihedral_min.min() >= 5
     assert len(result.tets) < 5000
+
+
+def bent_plate(thickness):
+    """Of 10 x 10 mm, nearly, and a radius of 100 mm."""
+    turn = 6  # degrees
+    return Part.makeCylinder(100, 10, Vector(), Z, turn).cut(
+        Part.makeCylinder(100 - thickness, 10, Vector(), Z, turn)
+    )
 
 
 def plate_with_holes(*corners):
