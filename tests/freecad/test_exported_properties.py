@@ -125,7 +125,10 @@ def test_models_for_decks(second_order, bar, fgmesh, tmp_path, export_properties
     (tmp_path / "deck.inp").write_text(f"*INCLUDE, INPUT=bar.inp\n{step}*END STEP\n")
     run = subprocess.run(["ccx", "-i", "deck"], cwd=tmp_path, capture_output=True, text=True)
     assert "*ERROR" not in run.stdout and "*WARNING" not in run.stdout
-    moved = np.loadtxt(tmp_path / "deck.dat", skiprows=3)[:, 1]
+    # Heads of tables differ from release to release of CalculiX.
+    rows = [line.split() for line in (tmp_path / "deck.dat").read_text().splitlines()]
+    moved = np.array([float(row[1]) for row in rows if len(row) == 4 and row[0].isdigit()])
+    assert len(moved) > 0
     # A bar of springs in a row: u = s integral of dx/E.
     assert moved == pytest.approx(8 * 10 / 1000 * (1 - 1 / 8) / np.log(8), rel=0.03)
 

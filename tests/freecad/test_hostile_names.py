@@ -38,6 +38,7 @@ def add_hostile_groups(mesh):
     return added
 
 
+@pytest.mark.usefixtures("ccx")
 def test_exported_files_with_hostile_groups(bar, tmp_path, build_dir):
     from freecad.fgmesh.fem.export import export_properties
 
@@ -119,6 +120,7 @@ def test_names_that_freecad_would_write_as_they_are(spoil, words, analysis, bar,
     assert not list(tmp_path.iterdir())
 
 
+@pytest.mark.usefixtures("ccx")
 def test_harmless_names_solve(analysis, bar, fgmesh):
     made = analysis(bins=3)
     made.Label = 'An "analysis", with *COMMAS and Größe'

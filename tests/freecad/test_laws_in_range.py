@@ -34,6 +34,7 @@ def solved(bench, fgmesh, **options):
     return result, max(vector.z for vector in result.DisplacementVectors)
 
 
+@pytest.mark.usefixtures("ccx")
 def test_a_law_that_is_0_without_the_first_constituent(prism, fgmesh):
     """u = s L/E0 * integral of 1/v^2 = 40/3500/0.6*(1/0.2 - 1/0.8) mm."""
     bench = prism(0.2, 0.8, MaxSize=5, MaterialThreshold=0.1, SecondOrder=True)
@@ -41,12 +42,14 @@ def test_a_law_that_is_0_without_the_first_constituent(prism, fgmesh):
     assert moved == pytest.approx(0.0714286, rel=2e-4)
 
 
+@pytest.mark.usefixtures("ccx")
 def test_a_uniform_fraction(prism, fgmesh):
     """A table of one row: E = E0/4 everywhere."""
     _, moved = solved(prism(0.5, 0.5, MaxSize=10), fgmesh, mode="continuous")
     assert moved == pytest.approx(LENGTH / 3500 * 4, rel=1e-6)
 
 
+@pytest.mark.usefixtures("ccx")
 def test_nodes_where_a_law_has_no_meaning(prism, fgmesh, core, tmp_path):
     """On the face z = 0 there is no first constituent, and so no modulus. Elements have some of it, which is enough for
     bins; at nodes of that face fields show what the law gives, 0. The continuous mode needs a modulus there.

@@ -64,6 +64,7 @@ def test_a_load_of_zero(bar, analysis, fgmesh, core):
     refused(fgmesh, core, made, "has no load")
 
 
+@pytest.mark.usefixtures("ccx")
 def test_a_displacement_that_is_given_is_a_load(bar, analysis, document, fgmesh):
     made = analysis(mode="bins")
     document.removeObject(constraint(made, bar, "Pressure").Name)

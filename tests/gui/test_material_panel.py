@@ -208,6 +208,7 @@ def test_cancel_leaves_nothing_behind(drive):
     answer = drive(
         CYLINDER
         + """
+from pivy import coin  # which knows the class of the scene
 gui = FreeCADGui.getDocument(document.Name)
 nodes = gui.activeView().getSceneGraph().getNumChildren()
 document.saveAs(pictures + "/cancelled.FCStd")

@@ -57,6 +57,7 @@ def in_the_order_of(result, found):
     return found[nearest]
 
 
+@pytest.mark.usefixtures("ccx")
 def test_calculix(curved, tmp_path, write):
     """What it has read is in its file of results, in six digits; and the volume, which it integrates."""
     path = write(curved, "mesh.inp")
