@@ -14,10 +14,17 @@ OK, FAULT, USAGE, GEOMETRY, UNMET, STOPPED = *range(5), interrupts.STOPPED
 
 def main(argv=None):
     """Run `fgmesh` with `argv` (default: the process's arguments) and give its exit status."""
+    standard_streams.open_missing()
     try:
-        standard_streams.open_missing()
+        return _guarded_main(sys.argv[1:] if argv is None else argv)
+    finally:
+        standard_streams.drop_unwritten()
+
+
+def _guarded_main(argv):
+    try:
         interrupts.install()
-        return _main(sys.argv[1:] if argv is None else argv)
+        return _main(argv)
     except MemoryError:
         return _fail(STOPPED, "stopped: out of memory; a larger threshold or deviation needs less")
     except Exception as error:

@@ -47,6 +47,15 @@ def write_message(text):
         print(text, file=sys.stderr, flush=True)
 
 
+def drop_unwritten():
+    """Forget what could not be written: Python 3.14 would end with a status of its own because of it."""
+    for stream in (sys.stdout, sys.stderr):
+        try:
+            stream.flush()
+        except OSError:
+            _connect_to_null(stream.fileno())
+
+
 def _connect_to_null(number):
     null = os.open(os.devnull, os.O_RDWR)
     if null != number:

@@ -45,9 +45,8 @@ def solve(analysis, directory=None, control=None):
         check_filled(graded)
     if is_graded_solver(solver):
         check_analysis(analysis, solver)
-    deck = write_deck(
-        analysis, directory
-    )  # what is wrong with the analysis is told where there is no CalculiX, too
+    deck = write_deck(analysis, directory)
+    # Only now: what is wrong with the analysis is told where there is no CalculiX, too.
     _run(_program(), deck, control or core.RunControl())
     return _read_results(analysis, solver, deck)
 
