@@ -37,5 +37,6 @@ class FGMeshWorkbench(FreeCADGui.Workbench):
 
 
 FreeCADGui.addWorkbench(FGMeshWorkbench())
-FreeCADGui.addIcon("preferences-fgmesh", ICON)  # by which name FreeCAD looks for it
+# Not addIcon(), which ends with an error where Qt has no plugin that reads SVG.
+FreeCADGui.addIconPath(str(Path(ICON).parent))
 FreeCADGui.addPreferencePage(str(Path(__file__).absolute().parent / "panels" / "preferences.ui"), "FGMesh")

@@ -11,7 +11,7 @@ sys.path.insert(0, os.path.dirname(__file__))  # of modules that tests share
 
 # FreeCAD's Python modules: PartDesign, Sketcher and Boolean fragments need theirs even without a GUI; so does its
 # writer of decks for CalculiX, and Draft since 1.0 that of BIM.
-FOLDERS = ("Mod", "Mod/Fem", "Mod/Part", "Mod/Draft", "Mod/BIM", "Ext")
+FOLDERS = ("Mod", "Mod/Fem", "Mod/Part", "Mod/Draft", "Mod/BIM", "Mod/Assembly", "Ext")
 sys.path += [f"/usr/share/freecad/{folder}" for folder in FOLDERS]
 
 

@@ -88,6 +88,21 @@ def test_links_to_a_container(fgmesh, document, wedge, link):
     check(fgmesh, document, link(part, Placement=TURNED), [TURNED.multiply(wedge.Placement)])
 
 
+def test_assemblies(fgmesh, document, wedge, link):
+    """Of FreeCAD 1.x; 0.20 has containers alone."""
+    try:
+        assembly = document.addObject("Assembly::AssemblyObject", "Assembly")
+    except (TypeError, ImportError):
+        assembly = document.addObject("App::Part", "Assembly")
+    places = [TURNED, Placement(Vector(40, 0, 0), Rotation(Vector(0, 1, 0), 20))]
+    for place in places:
+        assembly.addObject(link(wedge, Placement=place))
+    assembly.Placement = Placement(Vector(0, 70, 0), Rotation(Vector(1, 0, 0), 20))
+    document.recompute()
+    check(fgmesh, document, assembly, [assembly.Placement.multiply(place) for place in places])
+    check(fgmesh, document, link(assembly, Placement=TURNED), [TURNED.multiply(place) for place in places])
+
+
 def test_links_across_documents(fgmesh, document, wedge, tmp_path):
     document.saveAs(str(tmp_path / "original.FCStd"))
     other = FreeCAD.newDocument("Other")

@@ -19,7 +19,7 @@ def sources_of(thing):
         linked = thing.getLinkedObject(False)
         linked = getattr(thing, "LinkedObject", None) if linked == thing else linked
         return COPIES, _with_shapes([linked] if linked else getattr(thing, "ElementList", []))
-    if thing.TypeId == "App::Part":
+    if thing.isDerivedFrom("App::Part"):  # assemblies of FreeCAD 1.x, too
         return WHOLE, _with_shapes(thing.Group)
     proxy = getattr(thing, "Proxy", None)
     kind = getattr(proxy, "Type", "")

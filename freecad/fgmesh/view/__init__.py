@@ -10,4 +10,4 @@ def icon(name):
     return str(_ICONS / f"{name}.svg")
 
 
-ICON = icon("fgmesh")
+ICON = icon("preferences-fgmesh")  # by which name FreeCAD looks for it

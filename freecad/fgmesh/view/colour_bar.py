@@ -101,7 +101,8 @@ class ColourBar:
 def _fit(reference, action):
     bar = reference()
     if bar is not None and action.isOfType(coin.SoGLRenderAction.getClassTypeId()):
-        bar.fit(*coin.SoViewportRegionElement.get(action.getState()).getViewportSizePixels().getValue())
+        size = coin.SoViewportRegionElement.get(action.getState()).getViewportSizePixels()
+        bar.fit(size[0], size[1])  # pivy of FreeCAD 1.1 gives no numbers by getValue()
 
 
 def _painted(title, low, high, marks):
