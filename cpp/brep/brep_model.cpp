@@ -12,6 +12,7 @@
 #include "brep/occt.hpp"
 #include "brep/projections.hpp"
 #include "brep/sampling.hpp"
+#include "brep/self_interference.hpp"
 #include "brep/shape_check.hpp"
 #include "brep/shape_reader.hpp"
 #include "brep/told_as_separated.hpp"
@@ -109,5 +110,10 @@ const std::vector<double>& BrepModel::volumes() const { return state_->shape.vol
 double BrepModel::volume() const { return state_->shape.volume(); }
 Box BrepModel::bounds() const { return state_->shape.bounds; }
 const std::vector<std::string>& BrepModel::notes() const { return state_->shape.notes; }
+
+std::vector<std::array<Carrier, 2>> BrepModel::self_interferences(RunControl& control) const {
+  return brep::guarded("looking for faces that cross",
+                       [&] { return brep::self_interferences(state_->shape.topology, control); });
+}
 
 }  // namespace fgmesh

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "core/boundary_geometry.hpp"
 #include "core/run_control.hpp"
+#include "core/tet_mesh.hpp"
 
 namespace fgmesh {
 
@@ -65,6 +67,10 @@ class BrepModel final : public BoundaryGeometry {
 
   /// What was put right or left out while reading, in words for the user.
   const std::vector<std::string>& notes() const;
+
+  /// Pairs of faces, edges or vertices of the solids that OpenCASCADE finds to cross or touch each other,
+  /// though they share no edge or vertex there. Slow: for a verdict where meshing failed.
+  std::vector<std::array<Carrier, 2>> self_interferences(RunControl& control) const;
 
   BrepModel(BrepModel&&) noexcept;
   ~BrepModel() override;

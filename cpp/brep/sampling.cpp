@@ -4,7 +4,7 @@
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRepTools.hxx>
-#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <IMeshTools_Parameters.hxx>
 #include <Precision.hxx>
 #include <TopoDS_Compound.hxx>
@@ -18,6 +18,7 @@
 #include "brep/divided_spans.hpp"
 #include "brep/flat_triangles.hpp"
 #include "brep/occt.hpp"
+#include "brep/shape_limits.hpp"
 #include "brep/surface.hpp"
 #include "brep/weld.hpp"
 
@@ -35,15 +36,6 @@ constexpr Attempt attempts[] = {{1.0, false}, {0.9, true}, {0.3, false}, {0.1, t
 // copy larger by less than any tolerance has other rounding errors and passes.
 constexpr double imperceptible = 1e-10;
 
-TopoDS_Compound compound_of_solids(const Topology& topology) {
-  TopoDS_Compound solids;
-  const BRep_Builder builder;
-  builder.MakeCompound(solids);
-  for (int number = 1; number <= topology.solid_count(); ++number)
-    builder.Add(solids, topology.solid(number));
-  return solids;
-}
-
 /// Leaves triangulations on the faces of `solids`.
 void triangulate(const TopoDS_Shape& solids, double deflection, double angle, RunControl& control) {
   // A triangulation that came with the file, or from a coarser attempt, would be kept otherwise.
@@ -59,7 +51,7 @@ void triangulate(const TopoDS_Shape& solids, double deflection, double angle, Ru
 
 std::optional<Sampling> attempt_sampling(const CheckedShape& shape, const Attempt& attempt, double deflection,
                                          double angle, RunControl& control, std::string& fault) {
-  const TopoDS_Compound solids = compound_of_solids(shape.topology);
+  const TopoDS_Compound solids = shape.topology.compound_of_solids();
   gp_Trsf growth;
   growth.SetScale(gp_Pnt(), 1.0 + imperceptible);
   std::optional<BRepBuilderAPI_Transform> copy;
@@ -201,6 +193,8 @@ Sampling sample_boundary(const CheckedShape& shape, const SamplingOptions& optio
     coarse = std::move(sampling);
   }
   if (coarse) return std::move(*coarse);
+  const std::string gap = largest_gap(shape.topology, diagonal);
+  if (!gap.empty()) fault += "; " + gap + ", which may be the cause";
   throw GeometryError(
       "the boundary cannot be triangulated: " + fault +
       "; Part -> Check geometry shows faces that cross themselves or each other, Part -> Refine "

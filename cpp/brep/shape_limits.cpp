@@ -116,4 +116,21 @@ void require_small_gaps(const Topology& topology, double diagonal) {
   }
 }
 
+std::string largest_gap(const Topology& topology, double diagonal) {
+  double largest = 1e-6 * diagonal;
+  std::ostringstream text;
+  for (int number = 1; number <= topology.edge_count(); ++number) {
+    const EdgeUse& use = topology.edge_use(number);
+    if (use.count == 0 || use.degenerate) continue;
+    for (const int face : use.faces) {
+      const double gap = distance_from_face(topology.edge(number), topology.face(face));
+      if (gap <= largest) continue;
+      largest = gap;
+      text.str({});
+      text << "Edge" << number << " runs up to " << gap << " mm beside Face" << face;
+    }
+  }
+  return text.str();
+}
+
 }  // namespace fgmesh::brep

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "brep/topology.hpp"
@@ -21,5 +22,9 @@ void require_thickness(int solid, double volume, double area, double diagonal);
 
 /// Throws GeometryError that names an edge which lies far off its vertices or faces, within a huge tolerance.
 void require_small_gaps(const Topology& topology, double diagonal);
+
+/// Where an edge runs farthest off one of its faces, in words; empty where none is off by more than a
+/// millionth of `diagonal`.
+std::string largest_gap(const Topology& topology, double diagonal);
 
 }  // namespace fgmesh::brep

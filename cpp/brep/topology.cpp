@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "brep/topology.hpp"
 
+#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -21,6 +22,14 @@ bool bounds_matter(const TopoDS_Shape& sub_shape) {
 }
 
 }  // namespace
+
+TopoDS_Compound Topology::compound_of_solids() const {
+  TopoDS_Compound solids;
+  const BRep_Builder builder;
+  builder.MakeCompound(solids);
+  for (int number = 1; number <= solid_count(); ++number) builder.Add(solids, solid(number));
+  return solids;
+}
 
 Topology::Topology(const TopoDS_Shape& shape) {
   TopExp::MapShapes(shape, TopAbs_SOLID, solids_);

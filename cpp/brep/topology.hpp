@@ -2,6 +2,7 @@
 #pragma once
 
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS_Compound.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
@@ -52,6 +53,8 @@ class Topology {
   int face_number(const TopoDS_Shape& face) const { return faces_.FindIndex(face); }
   int edge_number(const TopoDS_Shape& edge) const { return edges_.FindIndex(edge); }
   int vertex_number(const TopoDS_Shape& vertex) const { return vertices_.FindIndex(vertex); }
+
+  TopoDS_Compound compound_of_solids() const;
 
   /// Corrects a solid whose faces all point inwards; numbers stay.
   void invert_solid(int number);

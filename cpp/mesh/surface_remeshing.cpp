@@ -246,8 +246,9 @@ void separate(SurfaceMesh& mesh, const SurfaceRemeshingOptions& options, RunCont
     fewest = std::min(fewest, crossings.size());
     if (crossings.size() > std::max(kMany, kDiverging * fewest)) refuse_crossing(mesh, crossings.front());
     for (const auto& [t, u] : crossings) {
+      if (!mesh.triangles[t].alive()) continue;  // an earlier touch has divided it
       edges.push_back(worst_edge(mesh, t, options));
-      if (mesh.triangles[t].alive()) resolve_touch(mesh, t, u);
+      resolve_touch(mesh, t, u);
     }
     std::sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());

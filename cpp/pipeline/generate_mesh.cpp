@@ -12,6 +12,7 @@
 #include "mesh/geometry_refinement.hpp"
 #include "mesh/material_refinement.hpp"
 #include "mesh/second_order.hpp"
+#include "pipeline/crossing_parts.hpp"
 #include "pipeline/estimate.hpp"
 #include "pipeline/given_numbers.hpp"
 #include "pipeline/meshing_start.hpp"
@@ -140,10 +141,10 @@ std::string describe_bridged(const TetMesh& mesh, std::vector<Carrier> bridged, 
 
 void finish(MeshingResult& result, const BrepModel& model, const SampledBoundary& samples,
             const std::vector<Carrier>& bridged, const SolidMaterials& materials,
-            const MeshingOptions& options) {
+            const MeshingOptions& options, RunControl& control) {
   const auto name = [&](const Carrier& part) { return given_name(part, model.origins()); };
   if (const std::string lost = find_difference(result.mesh, samples, bridged, name); !lost.empty())
-    throw GeometryError("the mesh is not the shape: " + lost + "; lower MaxSize");
+    refuse("the mesh is not the shape: " + lost + "; lower MaxSize", model, control);
   if (const std::string told = describe_bridged(result.mesh, bridged, options, name); !told.empty())
     result.messages.push_back(told);
   result.dihedral_min = smallest_dihedrals(result.mesh);
@@ -216,8 +217,13 @@ MeshingResult run(const std::string& shape, const std::vector<const CompositionF
   MeshingResult result;
   result.messages = model.notes();
   std::vector<Carrier> bridged;
-  NodeFractions fractions = run_stage("initial", state, result, control,
-                                      [&] { bridged = make_initial_mesh(start, options.max_size, control); });
+  NodeFractions fractions = run_stage("initial", state, result, control, [&] {
+    try {
+      bridged = make_initial_mesh(start, options.max_size, control);
+    } catch (const GeometryError& error) {
+      refuse(error.what(), model, control);
+    }
+  });
   QualityGoal goal = quality_goal(options.anisotropy);
   goal.between = options.certify;
   if (asked.max_size > 0.0) goal.longest_edge = asked.max_size;
@@ -249,7 +255,7 @@ MeshingResult run(const std::string& shape, const std::vector<const CompositionF
   if (state.materials().count() > 1)
     result.tet_fractions = options.order == 2 ? fractions.at_tets(result.second_order.tets)
                                               : fractions.at_tets(result.mesh.tets);
-  finish(result, model, start.samples, bridged, state.materials(), options);
+  finish(result, model, start.samples, bridged, state.materials(), options, control);
   put_volumes(model, result);
   use_given_numbers(result, model.origins());
   result.threads = threads_in_use();

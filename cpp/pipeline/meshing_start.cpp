@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "mesh/crossing_faces.hpp"
 #include "mesh/initial.hpp"
+#include "pipeline/crossing_parts.hpp"
 
 namespace fgmesh {
 namespace {
@@ -47,12 +48,20 @@ SolidMaterials materials_of(const std::vector<const CompositionField*>& given, c
   return SolidMaterials(fields, samples);
 }
 
+SampledBoundary sampled(BrepModel& model, RunControl& control) {
+  try {
+    return model.sample({}, control);
+  } catch (const GeometryError& error) {
+    refuse(error.what(), model, control);
+  }
+}
+
 }  // namespace
 
 MeshingStart::MeshingStart(const std::string& shape, const std::vector<const CompositionField*>& materials,
                            const MeshingOptions& asked, RunControl& control)
     : model(read(shape, asked, control)),
-      samples(model.sample({}, control)),
+      samples(sampled(model, control)),
       options(resolved(asked, samples.bounds.diagonal())),
       default_max_size(kMaxSize * samples.bounds.diagonal()),
       state(model, materials_of(materials, model, samples), options.material_threshold,

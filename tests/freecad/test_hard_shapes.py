@@ -377,6 +377,18 @@ def test_solids_may_touch_themselves_and_others_at_edges_and_corners(make, volum
     assert result.dihedral_min.min() >= 5
 
 
+def test_solids_may_touch_along_curves_on_both_sides(core):
+    """A shaft that fits a ring like a tangent, and a block that cuts into the ring: samples touch in many places."""
+    shaft = Part.makeCylinder(7, 10, Vector(0, 0, -5))
+    block = Part.makeBox(4, 4, 4, Vector(13, -2, -2))
+    shape = Part.Compound([Part.makeTorus(10, 3), shaft, block])
+    options = core.MeshingOptions(stop_after="initial", max_size=3)
+    result = core.generate_mesh(shape.exportBrepToString(), core.Material(["0.5"]), options)
+    volume = 180 * math.pi**2 + 490 * math.pi + block.cut(Part.makeTorus(10, 3)).Volume
+    assert result.volume == pytest.approx(volume, rel=5e-2)
+    assert result.dihedral_min.min() >= 5
+
+
 def test_a_wall_that_thins_to_nothing_is_refused(core):
     """A hole that touches a side of its box, and one that passes through it."""
     box = Part.makeBox(10, 10, 10)
