@@ -31,7 +31,7 @@ part.Radius, part.Height = 20, 60
 document.recompute()
 fresh_view(document)
 fgmesh.attach_material(part, "z/60", constituents=["Steel-Generic", "Aluminum-Generic"])
-seen = {}
+seen = {"window": texts()}
 names = [f"FGMesh_{name}" for name in ("Material", "Preview", "Mesh", "Report", "Analysis", "Examples")]
 (actions,) = zip(*[FreeCADGui.Command.get(name).getAction() for name in names])
 seen["menu"] = [action.text().replace("&", "") for action in actions]
@@ -115,6 +115,7 @@ def test_menu_panels_and_preferences_are_german(drive, preferences, translations
     assert seen["refused"][0].startswith("MinSize: 'klein' ist keine Länge")
     assert answer["values"] == [0.2, 8.5]
     assert answer["undo"] == ["Gradierten Festkörper vernetzen"]
-    english = {text for (_, text), done in translations.items() if text != done}
+    # FreeCAD's own list of workbenches has Mesh in German, too.
+    english = {text for (_, text), done in translations.items() if text != done} - set(seen.pop("window"))
     for place, texts in seen.items():
-        assert not english & set(texts), place
+        assert english & set(texts) == set(), place
