@@ -87,6 +87,13 @@ void bind_core(py::module_& module) {
       .def_readonly("tets", &RunControl::Progress::tets, "Tetrahedra in the mesh at this moment.")
       .def_readonly("expected_tets", &RunControl::Progress::expected_tets,
                     "About as many tetrahedra are expected of the finished mesh; 0: not known (yet).")
+      .def_property_readonly(
+          "place",
+          [](const RunControl::Progress& progress) -> py::object {
+            if (!progress.place) return py::none();
+            return py::make_tuple(progress.place->x(), progress.place->y(), progress.place->z());
+          },
+          "Where the stage is at work, mm; None where it does not tell.")
       .def("__repr__", [](const RunControl::Progress& progress) {
         return py::str("Progress(stage={!r}, fraction={:.3f}, tets={})")
             .format(progress.stage, progress.fraction, progress.tets);
@@ -109,7 +116,11 @@ void bind_core(py::module_& module) {
       .def("report", &RunControl::report, py::arg("fraction"), py::arg("tets"),
            "Tell how far the stage is; as begin_stage.")
       .def("expect", &RunControl::expect, py::arg("tets"),
-           "Tell how many tetrahedra are expected; as begin_stage.");
+           "Tell how many tetrahedra are expected; as begin_stage.")
+      .def(
+          "look_at",
+          [](RunControl& control, double x, double y, double z) { control.look_at(Vec3(x, y, z)); },
+          py::arg("x"), py::arg("y"), py::arg("z"), "Tell where the stage is at work, mm; as begin_stage.");
 
   module.def("peak_memory_mb", &peak_memory_mb, "Largest resident memory of this process so far, MB.");
 }

@@ -50,6 +50,7 @@ RunControl::Progress RunControl::progress() const {
   {
     const std::lock_guard<std::mutex> lock(stage_mutex_);
     progress.stage = stage_;
+    progress.place = place_;
   }
   progress.fraction = fraction_.load(std::memory_order_relaxed);
   progress.tets = tets_.load(std::memory_order_relaxed);
@@ -60,12 +61,18 @@ RunControl::Progress RunControl::progress() const {
 void RunControl::begin_stage(const std::string& name) {
   const std::lock_guard<std::mutex> lock(stage_mutex_);
   stage_ = name;
+  place_.reset();
   fraction_.store(0.0, std::memory_order_relaxed);
 }
 
 void RunControl::report(double fraction, std::size_t tets) {
   fraction_.store(fraction, std::memory_order_relaxed);
   tets_.store(tets, std::memory_order_relaxed);
+}
+
+void RunControl::look_at(const Vec3& place) {
+  const std::lock_guard<std::mutex> lock(stage_mutex_);
+  place_ = place;
 }
 
 bool RunControl::should_stop() {

@@ -5,7 +5,10 @@
 #include <chrono>
 #include <cstddef>
 #include <mutex>
+#include <optional>
 #include <string>
+
+#include "core/vec3.hpp"
 
 namespace fgmesh {
 
@@ -20,6 +23,7 @@ class RunControl {
     std::size_t tets = 0;   ///< tetrahedra in the mesh at this moment
     /// about as many are expected of the finished mesh; 0: not known (yet)
     std::size_t expected_tets = 0;
+    std::optional<Vec3> place;  ///< where the stage is at work, mm, if it tells
   };
 
   /// Limits of 0 mean none. Seconds count from the construction of this object, or from the last
@@ -41,8 +45,15 @@ class RunControl {
   void report(double fraction, std::size_t tets);
   void expect(std::size_t tets) { expected_tets_.store(tets, std::memory_order_relaxed); }
 
+  void look_at(const Vec3& place);
+
   /// Throws Cancelled where the run is to stop. Cheap enough for every few hundred tetrahedra.
   void check();
+  /// The same, and tells where the work is.
+  void check_at(const Vec3& place) {
+    look_at(place);
+    check();
+  }
 
   /// True where check() would throw; for code that must unwind by itself.
   bool should_stop();
@@ -58,6 +69,7 @@ class RunControl {
   std::atomic<std::size_t> tets_{0}, expected_tets_{0};
   mutable std::mutex stage_mutex_;
   std::string stage_;
+  std::optional<Vec3> place_;
   Clock::time_point start_ = Clock::now();
   double limit_seconds_ = 0.0;
   double limit_memory_mb_ = 0.0;

@@ -199,7 +199,7 @@ class Recovery {
   }
 
   void insert(int v) {
-    if (v % kPoll == 0) control_.check();
+    if (v % kPoll == 0) control_.check_at(surface_.position(v));
     const auto before = delaunay_.number_of_vertices();
     const auto made = delaunay_.insert(to_cgal(surface_.position(v)), hint_);
     if (delaunay_.number_of_vertices() == before) {
@@ -293,8 +293,8 @@ class Recovery {
   std::vector<Edge> missing_edges() {
     std::vector<Edge> missing;
     for (int t : triangles_) {
-      if (t % kPoll == 0) control_.check();
       const SurfaceTriangle triangle = surface_.triangles[t];
+      if (t % kPoll == 0) control_.check_at(surface_.position(triangle.vertex[0]));
       if (!triangle.alive()) continue;
       for (int i = 0; i < 3; ++i) {
         const int a = triangle.vertex[i], b = triangle.vertex[(i + 1) % 3];
@@ -316,8 +316,8 @@ class Recovery {
     std::vector<Edge> missing;
     std::vector<int> left;
     for (int t : triangles_) {
-      if (t % kPoll == 0) control_.check();
       const SurfaceTriangle triangle = surface_.triangles[t];
+      if (t % kPoll == 0) control_.check_at(surface_.position(triangle.vertex[0]));
       if (!triangle.alive()) continue;
       if (recover_triangle(triangle.vertex)) {
         const auto [tet, face] = find_face(triangle.vertex);

@@ -139,7 +139,7 @@ int split(MeshState& state, const std::vector<int>& tets, const Certificates& ce
   const int old_vertices = complex.vertex_slots();
   int count = 0;
   for (std::size_t i = 0; i < tets.size(); ++i) {
-    if (i % 64 == 0) control.check();
+    if (i % 64 == 0) control.check_at(state.position(complex.tet(tets[i]).vertex[0]));
     const int t = tets[i];
     const Tet& tet = complex.tet(t);
     if (!tet.alive() || *std::max_element(tet.vertex.begin(), tet.vertex.end()) >= old_vertices) continue;

@@ -83,7 +83,7 @@ class CrossingSearch {
   }
 
   void look_at(int t, int u) {
-    control_.check();
+    control_.check_at(corner(t, 0));
     const int face = std::min(samples_.triangle_face[t], samples_.triangle_face[u]);
     const int other = std::max(samples_.triangle_face[t], samples_.triangle_face[u]);
     if (face == other) {

@@ -93,7 +93,7 @@ void fill_inside(MeshState& state, const InitialMeshOptions& options, RunControl
         largest = ratio;
         edge = {v[i], v[j]};
       }
-      if (t % 256 == 0) control.check();
+      if (t % 256 == 0) control.check_at(state.position(v[0]));
       if (edge[0] >= 0 && split_edge(state, edge[0], edge[1], t) >= 0) ++count;
     }
     if (count <= kFewSplits * complex.tet_count()) return;

@@ -78,7 +78,7 @@ int insert_steiner_points(MeshState& state, double limit, std::size_t most, RunC
   int inserted = 0;
   for (const auto& [variation, t] : bad) {
     if (static_cast<std::size_t>(inserted) >= most) break;
-    if (inserted % 256 == 0) control.check();
+    if (inserted % 256 == 0) control.check_at(state.position(state.complex.tet(t).vertex[0]));
     const Tet& tet = state.complex.tet(t);
     if (!tet.alive() || !(state.variation(t) > limit)) continue;
     if (*std::max_element(tet.vertex.begin(), tet.vertex.end()) >= old_vertices) continue;

@@ -35,7 +35,7 @@ int split_long_edges(SurfaceMesh& mesh, const SurfaceRemeshingOptions& options, 
   int count = 0;
   const std::size_t old_triangles = mesh.triangles.size();  // new ones wait, so that this ends on any face
   for (std::size_t t = 0; t < old_triangles; ++t) {
-    if (t % kPoll == 0) control.check();
+    if (t % kPoll == 0) control.check_at(mesh.position(mesh.triangles[t].vertex[0]));
     if (!mesh.triangles[t].alive()) continue;
     const std::array<int, 3> v = mesh.triangles[t].vertex;
     const int face = mesh.triangles[t].face;
@@ -61,7 +61,7 @@ int split_long_edges(SurfaceMesh& mesh, const SurfaceRemeshingOptions& options, 
 int collapse_short_edges(SurfaceMesh& mesh, const SurfaceRemeshingOptions& options, RunControl& control) {
   int count = 0;
   for (int v = 0; v < static_cast<int>(mesh.vertices.size()); ++v) {
-    if (v % kPoll == 0) control.check();
+    if (v % kPoll == 0) control.check_at(mesh.position(v));
     if (mesh.at(v).empty() || mesh.vertices[v].is_fixed()) continue;
     std::vector<std::pair<double, int>> near;
     for (int t : mesh.at(v))
@@ -104,7 +104,7 @@ double worst_shape(const SurfaceMesh& mesh, int v, const Vertex& moved) {
 
 void smooth(SurfaceMesh& mesh, RunControl& control) {
   for (int v = 0; v < static_cast<int>(mesh.vertices.size()); ++v) {
-    if (v % kPoll == 0) control.check();
+    if (v % kPoll == 0) control.check_at(mesh.position(v));
     if (mesh.at(v).empty() || mesh.vertices[v].carrier.dimension != 2) continue;
     Vec3 sum = Vec3::Zero();
     double weights = 0.0;
@@ -129,7 +129,7 @@ void part_faces(SurfaceMesh& mesh, RunControl& control) {
   std::vector<int> around;
   const std::size_t old_triangles = mesh.triangles.size();
   for (std::size_t t = 0; t < old_triangles; ++t) {
-    if (t % kPoll == 0) control.check();
+    if (t % kPoll == 0) control.check_at(mesh.position(mesh.triangles[t].vertex[0]));
     for (int i = 0; i < 3 && mesh.triangles[t].alive(); ++i) {
       const int a = mesh.triangles[t].vertex[i], b = mesh.triangles[t].vertex[(i + 1) % 3];
       if (mesh.crease(a, b)) continue;
@@ -142,7 +142,7 @@ void part_faces(SurfaceMesh& mesh, RunControl& control) {
 /// Takes away vertices inside faces whose triangles face inwards. Each lowers the number of such triangles.
 void unfold(SurfaceMesh& mesh, RunControl& control) {
   for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
-    if (t % kPoll == 0) control.check();
+    if (t % kPoll == 0) control.check_at(mesh.position(mesh.triangles[t].vertex[0]));
     if (mesh.triangles[t].alive() && !mesh.faces_out(t)) mesh.unfold(t);
   }
 }
@@ -270,7 +270,7 @@ void make_surface_delaunay(SurfaceMesh& mesh, RunControl& control) {
   for (int pass = 0; pass < kMostPasses && count > 0; ++pass) {
     count = 0;
     for (std::size_t t = 0; t < mesh.triangles.size() && mesh.triangles.size() < most; ++t) {
-      if (t % kPoll == 0) control.check();
+      if (t % kPoll == 0) control.check_at(mesh.position(mesh.triangles[t].vertex[0]));
       for (int i = 0; i < 3 && mesh.triangles[t].alive(); ++i) {
         const int a = mesh.triangles[t].vertex[i], b = mesh.triangles[t].vertex[(i + 1) % 3];
         count += mesh.flip(a, b, kFlatness * size_at(mesh, a, b));

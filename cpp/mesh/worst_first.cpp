@@ -57,7 +57,7 @@ WorstFirst::Outcome WorstFirst::mend(const std::vector<int>& tets, TetMender& me
   Outcome outcome;
   int polls = 0;
   for (int t : tets) {
-    if (++polls % 64 == 0) control.check();
+    if (++polls % 64 == 0) control.check_at(state_.position(state_.complex.tet(t).vertex[0]));
     // Earlier changes may have mended it, or put another tetrahedron into its slot: both are told by its
     // score.
     const Tet& tet = state_.complex.tet(t);

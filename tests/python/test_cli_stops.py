@@ -8,6 +8,7 @@ import time
 from pathlib import Path
 
 import pytest
+from broken_shapes import SIDE
 
 # Far more tetrahedra than any machine makes in these tests' time.
 ENDLESS = ("--fraction", "x/10", "--threshold", "0.002", "--memory-limit", "6000")
@@ -150,7 +151,12 @@ def test_time_limit(started, tmp_path):
     assert 4 <= time.monotonic() - begin < 4 + LARGEST_DELAY + 1  # a second to start the interpreter
     told = errors()
     assert 'the time limit was reached in the stage "material", in which tetrahedra are divided' in told
-    assert re.search(r"there were \d+ of about \d+ tetrahedra; a larger MaterialThreshold", told)
+    found = re.search(
+        r"there were \d+ of about \d+ tetrahedra; it was at work near \((.*), (.*), (.*)\) mm; "
+        "a larger MaterialThreshold",
+        told,
+    )
+    assert all(0 <= float(x) <= SIDE for x in found.groups())
     assert_untouched(tmp_path)
 
 

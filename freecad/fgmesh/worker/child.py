@@ -3,7 +3,8 @@
 
 Arguments: the numbers of two open files in memory, for the request (a line of JSON, then the shapes: that to
 mesh, and those of references) and for arrays, those of the request and behind them those of the answer. Standard
-output takes messages, a line of JSON each: ["progress", [stage, fraction, tets]], and at last ["result", packed] or ["error", {name, limit, text, position, formula, place}]. Standard input never says
+output takes messages, a line of JSON each: ["progress", [stage, fraction, tets, expected tets, place or null]], and at
+last ["result", packed] or ["error", {name, limit, text, position, formula, place}]. Standard input never says
 anything: it ends when the parent does.
 """
 import contextlib
@@ -102,7 +103,7 @@ def _tell_progress(control, send):
 
 def _progress(control):
     progress = control.progress()
-    return [progress.stage, progress.fraction, progress.tets, progress.expected_tets]
+    return [progress.stage, progress.fraction, progress.tets, progress.expected_tets, progress.place]
 
 
 def _limit_data(megabytes):

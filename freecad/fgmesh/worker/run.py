@@ -151,11 +151,13 @@ class Run:
     def _read_chatter(self, data):
         self._last_words = (self._last_words + data)[-LAST_WORDS:]
 
-    def _show(self, stage, fraction, tets, expected_tets):
+    def _show(self, stage, fraction, tets, expected_tets, place):
         if stage != self._control.progress().stage:
             self._control.begin_stage(stage)
         self._control.report(fraction, tets)
         self._control.expect(expected_tets)
+        if place:
+            self._control.look_at(*place)
 
     def _stop_where_due(self):
         stage = self._control.progress().stage

@@ -37,7 +37,7 @@ def place(progress):
 
 
 def place_and_cure(progress):
-    """The same of a run that has reached a limit: how far it was, what went on, and what makes it shorter."""
+    """The same of a run that has reached a limit: how far it was, what went on and where, and what makes it shorter."""
     stage = STAGES.get(progress.stage)
     if stage is None:
         return place(progress)
@@ -47,4 +47,7 @@ def place_and_cure(progress):
         expected = f" of about {float(f'{progress.expected_tets:.2g}'):.0f}" if more else ""
         far.append(f"there were {progress.tets}{expected} tetrahedra")
     reached = f"; {' and '.join(far)}" if far else ""
-    return f"{place(progress)}, in which {stage.doing}{reached}; {stage.cure}"
+    near = (
+        "; it was at work near ({:.6g}, {:.6g}, {:.6g}) mm".format(*progress.place) if progress.place else ""
+    )
+    return f"{place(progress)}, in which {stage.doing}{reached}{near}; {stage.cure}"

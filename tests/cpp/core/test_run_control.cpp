@@ -55,6 +55,16 @@ TEST(RunControl, NamesTheStageThatWasStopped) {
   EXPECT_NE(message.find("\"material\""), std::string::npos) << message;
 }
 
+TEST(RunControl, TellsWhereAStageIsAtWork) {
+  RunControl control;
+  EXPECT_FALSE(control.progress().place);
+  control.begin_stage("initial");
+  control.check_at(Vec3(1.0, 2.0, 3.0));
+  EXPECT_EQ(control.progress().place, Vec3(1.0, 2.0, 3.0));
+  control.begin_stage("material");
+  EXPECT_FALSE(control.progress().place);
+}
+
 TEST(RunControl, StopsAtTheTimeLimitAndNotBefore) {
   constexpr double kLimit = 0.05;
   RunControl control;
