@@ -40,6 +40,10 @@
       <translation>; diese Stufe noch etwa {}</translation>
     </message>
     <message>
+      <source>A material of FreeCAD or of the document, or any other name; only an analysis needs a material of that name</source>
+      <translation>Ein Material von FreeCAD oder des Dokuments oder ein beliebiger anderer Name; nur eine Analyse braucht ein Material dieses Namens</translation>
+    </message>
+    <message>
       <source>A parameter has no name: write one beside its value {}, or remove it</source>
       <translation>Ein Parameter hat keinen Namen: Schreiben Sie einen neben seinen Wert {}, oder entfernen Sie ihn</translation>
     </message>
@@ -54,6 +58,10 @@
     <message>
       <source>Add ...</source>
       <translation>Hinzufügen ...</translation>
+    </message>
+    <message>
+      <source>Adds an entry at the end</source>
+      <translation>Fügt am Ende einen Eintrag hinzu</translation>
     </message>
     <message>
       <source>Allowed error</source>
@@ -92,6 +100,10 @@
       <translation>Klassen</translation>
     </message>
     <message>
+      <source>Bins: elements of nearly the same properties share a material. Continuous: properties vary inside the elements, for two constituents</source>
+      <translation>Klassen: Elemente mit fast gleichen Eigenschaften teilen sich ein Material. Stetig: die Eigenschaften ändern sich im Inneren der Elemente, bei zwei Bestandteilen</translation>
+    </message>
+    <message>
       <source>Bins: elements share materials</source>
       <translation>Klassen: je ein Material</translation>
     </message>
@@ -118,6 +130,10 @@
     <message>
       <source>Colours of the composition</source>
       <translation>Farben der Zusammensetzung</translation>
+    </message>
+    <message>
+      <source>Colours the solid in the 3D view</source>
+      <translation>Färbt den Festkörper in der 3D-Ansicht</translation>
     </message>
     <message>
       <source>Constituent {}</source>
@@ -192,6 +208,10 @@
       <translation>Felder auf den Ergebnissen</translation>
     </message>
     <message>
+      <source>Figures, histograms and the worst tetrahedra of the mesh</source>
+      <translation>Zahlen, Histogramme und die schlechtesten Tetraeder des Netzes</translation>
+    </message>
+    <message>
       <source>Fraction</source>
       <translation>Volumenanteil</translation>
     </message>
@@ -240,8 +260,16 @@
       <translation>Histogramm</translation>
     </message>
     <message>
+      <source>How far a property may be from that of its bin: there are as many bins as this needs; 0: as Bins says</source>
+      <translation>Wie weit eine Eigenschaft von der ihrer Klasse abweichen darf: es gibt so viele Klassen, wie dafür nötig sind; 0: wie unter Klassen angegeben</translation>
+    </message>
+    <message>
       <source>How many times longer elements may be across the gradient than along it; 1: isotropic</source>
       <translation>Wie viele Male länger Elemente quer zum Gradienten sein dürfen als längs; 1: isotrop</translation>
+    </message>
+    <message>
+      <source>How the property of a mixture follows from those of its constituents: a law of the list, or a formula over the fractions v1 v2 ... and the constituents' values p1 p2 ...; empty: the usual law</source>
+      <translation>Wie die Eigenschaft einer Mischung aus denen der Bestandteile folgt: ein Gesetz der Liste oder eine Formel aus den Anteilen v1 v2 ... und den Werten p1 p2 ... der Bestandteile; leer: das übliche Gesetz</translation>
     </message>
     <message>
       <source>In the view</source>
@@ -326,6 +354,10 @@
     <message>
       <source>Mesh of {}</source>
       <translation>Netz von {}</translation>
+    </message>
+    <message>
+      <source>Meshes in the background; one undo takes the mesh back</source>
+      <translation>Vernetzt im Hintergrund; ein Rückgängig nimmt das Netz zurück</translation>
     </message>
     <message>
       <source>Mixing laws</source>
@@ -452,6 +484,10 @@
       <translation>Entfernen</translation>
     </message>
     <message>
+      <source>Removes the selected entry, or else the last one</source>
+      <translation>Entfernt den ausgewählten Eintrag, sonst den letzten</translation>
+    </message>
+    <message>
       <source>Report ...</source>
       <translation>Bericht ...</translation>
     </message>
@@ -492,12 +528,24 @@
       <translation>Gradientenwerkstoff zuweisen</translation>
     </message>
     <message>
+      <source>Sets the field above so that the mesh gets fewer tetrahedra</source>
+      <translation>Setzt das Feld oben so, dass das Netz weniger Tetraeder bekommt</translation>
+    </message>
+    <message>
+      <source>Shifts the cut along its axis</source>
+      <translation>Verschiebt den Schnitt entlang seiner Achse</translation>
+    </message>
+    <message>
       <source>Show</source>
       <translation>Zeigen</translation>
     </message>
     <message>
       <source>Show the material</source>
       <translation>Material zeigen</translation>
+    </message>
+    <message>
+      <source>Shows a handle by which the mouse shifts and turns the cut</source>
+      <translation>Zeigt einen Griff, mit dem die Maus den Schnitt verschiebt und dreht</translation>
     </message>
     <message>
       <source>Sigmoid layer across z</source>
@@ -520,6 +568,10 @@
       <translation>Anfang der Zufallszahlen; gleicher Anfang, gleiches Netz</translation>
     </message>
     <message>
+      <source>Stops the run; the mesh stays as it was</source>
+      <translation>Bricht den Lauf ab; das Netz bleibt, wie es war</translation>
+    </message>
+    <message>
       <source>Surface deviation</source>
       <translation>Flächenabweichung</translation>
     </message>
@@ -540,6 +592,10 @@
       <translation>Tabellen für t1 t2 ...</translation>
     </message>
     <message>
+      <source>Takes the last constituent away</source>
+      <translation>Nimmt den letzten Bestandteil weg</translation>
+    </message>
+    <message>
       <source>Ten-node tetrahedra</source>
       <translation>Zehnknotige Tetraeder</translation>
     </message>
@@ -548,12 +604,24 @@
       <translation>Zehnknotige statt vierknotiger Tetraeder, mit Knoten auf den wahren Flächen und Kanten</translation>
     </message>
     <message>
+      <source>The analysis that the mesh and its materials are put into: a new one, or one that has no mesh yet</source>
+      <translation>Die Analyse, in die das Netz und seine Materialien kommen: eine neue oder eine, die noch kein Netz hat</translation>
+    </message>
+    <message>
       <source>The formula is not defined anywhere on the solid</source>
       <translation>Die Formel ist nirgends im Festkörper definiert</translation>
     </message>
     <message>
       <source>The last of the three stages to run</source>
       <translation>Die letzte der drei Stufen, die läuft</translation>
+    </message>
+    <message>
+      <source>The mesh gets a group of elements for each of these parts of the shape</source>
+      <translation>Das Netz bekommt eine Elementgruppe für jeden dieser Teile der Form</translation>
+    </message>
+    <message>
+      <source>The most materials that the elements may share</source>
+      <translation>Wie viele Materialien sich die Elemente höchstens teilen</translation>
     </message>
     <message>
       <source>The solid is being triangulated</source>
@@ -612,8 +680,28 @@
       <translation>Volumenanteil, 0 bis 1, aus x y z r theta d (mm, Bogenmaß, im Bezugssystem des Materials), den Parametern, d1 d2 ..., den Abständen zu den Referenzen, und t1 t2 ..., den Werten der Tabellen; der letzte Bestandteil ist, was die anderen übrig lassen</translation>
     </message>
     <message>
+      <source>What the colours tell: a volume fraction, or a property of the mixture</source>
+      <translation>Was die Farben zeigen: einen Volumenanteil oder eine Eigenschaft der Mischung</translation>
+    </message>
+    <message>
+      <source>What the histogram below counts in the tetrahedra</source>
+      <translation>Was das Histogramm unten an den Tetraedern zählt</translation>
+    </message>
+    <message>
+      <source>What the mesh shows in the 3D view: its composition, or its worst tetrahedra</source>
+      <translation>Was das Netz in der 3D-Ansicht zeigt: seine Zusammensetzung oder seine schlechtesten Tetraeder</translation>
+    </message>
+    <message>
       <source>Write a formula, or choose a ready grading above</source>
       <translation>Schreiben Sie eine Formel, oder wählen Sie oben einen fertigen Verlauf</translation>
+    </message>
+    <message>
+      <source>Writes the figures of the stages as a table that spreadsheets read</source>
+      <translation>Schreibt die Zahlen der Stufen als Tabelle, die Tabellenkalkulationen lesen</translation>
+    </message>
+    <message>
+      <source>Writes the histogram that is shown as a picture</source>
+      <translation>Schreibt das gezeigte Histogramm als Bild</translation>
     </message>
     <message>
       <source>Young's modulus</source>

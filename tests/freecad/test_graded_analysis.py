@@ -427,11 +427,15 @@ def test_fractions_and_properties_are_fields_of_the_results(analysis, bar, fgmes
         adapter.add_filter(pipeline, post_filter)
     line.Point1, line.Point2, line.Resolution = FreeCAD.Vector(0.01, 0, 0), FreeCAD.Vector(9.99, 0, 0), 50
     bar.document.recompute()
-    expected = {"fraction_1", "fraction_2", "YoungsModulus (MPa)", "Density (t/mm^3)", "von Mises Stress"}
+    expected = {"fraction_1", "fraction_2", "YoungsModulus (Pa)", "Density (kg/m^3)", "von Mises Stress"}
     assert expected <= set(clip.getEnumerationsOfProperty("Scalars"))
     for name, exact in (
-        ("YoungsModulus (MPa)", lambda x: 1000 * np.exp(np.log(8) * x / 10)),
+        ("YoungsModulus (Pa)", lambda x: 1e9 * np.exp(np.log(8) * x / 10)),
         ("fraction_1", lambda x: (np.exp(np.log(8) * x / 10) - 1) / 7),
+        (
+            "von Mises Stress",
+            lambda x: 100e6 + 0 * x,
+        ),  # of a pull of 100 MPa: FreeCAD has it in the same unit
     ):
         places, found = adapter.plotted(line, name)
         x, found = 0.01 + np.array(places), np.array(found)

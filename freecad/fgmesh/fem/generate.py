@@ -26,7 +26,8 @@ def generate(mesh, control=None, in_process=False):
     """
     if not mesh_object.is_mesh(mesh):
         raise core.InvalidInput(
-            f"{getattr(mesh, 'Label', mesh)} is no mesh of FGMesh: make one with make_mesh()"
+            f"{getattr(mesh, 'Label', mesh)} is no mesh of FGMesh: make one by FGMesh, Mesh graded solid "
+            "(in Python: make_mesh())"
         )
     mesh_object.revive(mesh)
     request, result = background.adopted(mesh) or _made(mesh, control or core.RunControl(), in_process)

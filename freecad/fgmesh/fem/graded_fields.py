@@ -92,8 +92,8 @@ class GradedMesh(NamedTuple):
         """The 0-based nodes of a region, sorted."""
         return np.unique(self.tets[region.tets])
 
-    def at_nodes(self, laws=None):
-        """{name: (n,)}: `fraction_1` ... and, where `laws` are given, the properties, as named() names them. At an
+    def at_nodes(self, laws=None, units=constituents.UNITS):
+        """{name: (n,)}: `fraction_1` ... and, where `laws` are given, the properties, as named() has them. At an
         interface a node has the values of one of the solids; NaN where a solid has not what others have.
 
         Values are to be looked at: on the boundary a formula may give a modulus of 0, which no element has.
@@ -104,16 +104,20 @@ class GradedMesh(NamedTuple):
             fractions = region.node_fractions(self.points, nodes)
             found = {f"fraction_{number}": column for number, column in enumerate(fractions.T, 1)}
             if laws is not None:
-                found.update(self.named(region.properties(fractions, laws, within_range=False)))
+                found.update(self.named(region.properties(fractions, laws, within_range=False), units))
             for name, column in found.items():
                 values.setdefault(name, np.full(len(self.points), np.nan))[nodes] = column
         return values
 
     @staticmethod
-    def named(properties):
-        """The same with the unit in each name, as "Density (t/mm^3)"."""
-        units = {name: constituents.UNITS[name] for name in properties}
-        return {f"{name} ({units[name]})" if units[name] else name: v for name, v in properties.items()}
+    def named(properties, units=constituents.UNITS):
+        """The same in `units`, {property: unit}, with the unit in each name, as "Density (t/mm^3)"."""
+        found = {}
+        for name, values in properties.items():
+            own, unit = constituents.UNITS[name], units[name]
+            scale = 1.0 if unit == own else constituents.number_in(f"1 {own}", unit)
+            found[f"{name} ({unit})" if unit else name] = values * scale
+        return found
 
     def first_fractions(self):
         """(n,): the fraction of the first constituent at each node. Raises core.InvalidInput where that does not say

@@ -8,6 +8,7 @@ import Fem
 from freecad.fgmesh import core
 from freecad.fgmesh.fem.graded_fields import graded_mesh
 from freecad.fgmesh.fem.graded_material import is_graded_material, request_of
+from freecad.fgmesh.model.constituents import SI_UNITS
 from freecad.fgmesh.model.transaction import transaction
 
 _RESULT = "GradedResult"
@@ -16,7 +17,8 @@ _RESULT = "GradedResult"
 
 def add_fields(result):
     """A post-processing pipeline of `result`, a result object of a graded analysis, in place of the one it may have:
-    the fields that FreeCAD gives it, `fraction_1` ... and the properties, as "Density (t/mm^3)", at the nodes.
+    the fields that FreeCAD gives it, `fraction_1` ... and the properties, as "Density (kg/m^3)", at the nodes; in SI
+    units, as FreeCAD's own.
 
     At an interface, where they may jump, a node has the values of one of the solids. Returns the pipeline, which
     is in the analysis. One undo step. Raises core.InvalidInput where the result is not that of the mesh as it is.
@@ -31,7 +33,7 @@ def add_fields(result):
     with tempfile.TemporaryDirectory() as folder:
         path = str(Path(folder) / "result.vtu")
         Fem.writeResult(path, result)
-        _add_point_data(path, fields.at_nodes(request_of(graded).laws()))
+        _add_point_data(path, fields.at_nodes(request_of(graded).laws(), SI_UNITS))
         with transaction(result.Document, "Add graded fields"):
             remove_fields(analysis, result)
             pipeline = result.Document.addObject("Fem::FemPostPipeline", f"{result.Name}_Fields")

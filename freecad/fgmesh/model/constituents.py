@@ -65,6 +65,15 @@ UNITS = {
 }
 """{property of material cards: unit}, which fit together: mm, t, s, K."""
 
+SI_UNITS = {
+    **UNITS,
+    "YoungsModulus": "Pa",
+    "Density": "kg/m^3",
+    "SpecificHeat": "J/kg/K",
+    "YieldStrength": "Pa",
+}
+"""The same in SI units, in which FreeCAD's post-processing has its own fields."""
+
 
 def values(names, document):
     """{property of UNITS: [number in its unit for each constituent, None where its card is silent]}. Raises

@@ -5,7 +5,7 @@ import FreeCAD
 
 from freecad.fgmesh import core
 from freecad.fgmesh.model import instances
-from freecad.fgmesh.model.graded_solid import has_material, material_of
+from freecad.fgmesh.model.graded_solid import HOW_TO_GIVE_ONE, has_material, material_of
 
 
 def graded_parts(thing):
@@ -36,7 +36,7 @@ def owners_of(thing):
     if None in owners:
         raise core.InvalidInput(
             f"Solid{owners.index(None) + 1} of {thing.Label} lies in no object with a graded material: give its object "
-            f"one with attach_material(), or {thing.Label} itself one for all solids"
+            f"one {HOW_TO_GIVE_ONE}, or {thing.Label} itself one for all solids"
         )
     return owners
 
@@ -57,9 +57,9 @@ def no_material(thing):
     if graded:
         return (
             f"{thing.Label} does not take over the material of {graded[0]}, from which it is made: give {thing.Label} a "
-            f"graded material of its own with attach_material(); its coordinates are those of {thing.Label}"
+            f"graded material of its own {HOW_TO_GIVE_ONE}; its coordinates are those of {thing.Label}"
         )
-    return f"{thing.Label} has no graded material: give it one with attach_material()"
+    return f"{thing.Label} has no graded material: give it one {HOW_TO_GIVE_ONE}"
 
 
 def _has_own_material(thing):

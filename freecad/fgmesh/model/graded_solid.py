@@ -94,6 +94,10 @@ def attach_material(solid, fractions, parameters=None, constituents=(), frame=No
     return solid
 
 
+HOW_TO_GIVE_ONE = "by FGMesh, Graded material (in Python: attach_material())"
+"""Of messages: by the menu first, which is what most users have before them."""
+
+
 def has_material(solid):
     """True where attach_material() or a user has given `solid` a formula."""
     return bool(getattr(solid, "FGMFractions", None))
@@ -135,7 +139,7 @@ def material_of(solid, placement=None):
 
     Raises core.InvalidInput, core.GeometryError for a reference without a solid."""
     if not has_material(solid):
-        raise core.InvalidInput(f"{solid.Label} has no graded material: give it one with attach_material()")
+        raise core.InvalidInput(f"{solid.Label} has no graded material: give it one {HOW_TO_GIVE_ONE}")
     check_complete(solid)
     links = stored_links(solid)
     placement = FreeCAD.Placement() if placement is None else placement

@@ -12,6 +12,8 @@ class AddRemoveRow(QtGui.QHBoxLayout):
         super().__init__()
         self.add = self._button(f"FGMeshAdd{name}", translate("Add"))
         self.remove = self._button(f"FGMeshRemove{name}", translate("Remove"))
+        self.add.setToolTip(translate("Adds an entry at the end"))
+        self.remove.setToolTip(translate("Removes the selected entry, or else the last one"))
         self.addStretch()
 
     def _button(self, name, text):

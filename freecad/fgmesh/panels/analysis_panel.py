@@ -80,10 +80,28 @@ class AnalysisPanel:
         self.laws = {name: LawChoice(name) for name in mixing.PROPERTIES}
         self.message = MessageLabel()
         self.message.setObjectName("FGMeshAnalysisMessage")
+        self._give_tips()
         self._timer = QtCore.QTimer(self.message)
         self._timer.setSingleShot(True)
         self._timer.setInterval(_PAUSE)
         self._timer.timeout.connect(self._look_ahead)
+
+    def _give_tips(self):
+        tips = {
+            self.analysis: translate(
+                "The analysis that the mesh and its materials are put into: a new one, or one that has no mesh yet"
+            ),
+            self.mode: translate(
+                "Bins: elements of nearly the same properties share a material. "
+                "Continuous: properties vary inside the elements, for two constituents"
+            ),
+            self.bins: translate("The most materials that the elements may share"),
+            self.error: translate(
+                "How far a property may be from that of its bin: there are as many bins as this needs; 0: as Bins says"
+            ),
+        }
+        for field, tip in tips.items():
+            field.setToolTip(tip)
 
     def _lay_out(self):
         layout = QtGui.QVBoxLayout(self.form)

@@ -34,6 +34,7 @@ class CompositionBox(QtGui.QWidget):
         buttons.add.setToolTip(translate("One constituent more, and a formula for the one that was the last"))
         buttons.add.clicked.connect(self._add_by_hand)
         self._remove = buttons.remove
+        self._remove.setToolTip(translate("Takes the last constituent away"))
         self._remove.clicked.connect(self._take_away)
         layout = QtGui.QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -131,6 +132,11 @@ class CompositionBox(QtGui.QWidget):
         combo.setEditable(True)
         combo.addItem("")
         combo.addItems(list(self._offered.values()))
+        combo.setToolTip(
+            translate(
+                "A material of FreeCAD or of the document, or any other name; only an analysis needs a material of that name"
+            )
+        )
         combo.currentTextChanged.connect(lambda _: self.renamed.emit())
         self._rows.addRow(translate("Constituent {}").format(number), combo)
         self._combos.append(combo)

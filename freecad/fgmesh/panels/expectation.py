@@ -127,6 +127,7 @@ class Expectation(QtGui.QWidget):
         count = number_text(round_to_two(estimate.tets), ",")
         button = QtGui.QPushButton(translate("{}: about {}").format(title, count))
         button.setObjectName(f"FGMeshRemedy{name}")
+        button.setToolTip(translate("Sets the field above so that the mesh gets fewer tetrahedra"))
         button.clicked.connect(lambda: self.chosen.emit(change))
         self._buttons.append(button)
         self._layout.addWidget(button)

@@ -15,6 +15,12 @@ class LawChoice(WideCombo):
         for law in mixing.laws_of(name):
             # Tamura's law is of no use without its stress, which the user has to put into the parentheses.
             self.addItem("tamura(4500)" if law == "tamura" else law)
+        self.setToolTip(
+            translate(
+                "How the property of a mixture follows from those of its constituents: a law of the list, or a formula over "
+                "the fractions v1 v2 ... and the constituents' values p1 p2 ...; empty: the usual law"
+            )
+        )
         self.lineEdit().setPlaceholderText(translate("usual: {}").format(mixing.PROPERTIES[name].default))
 
     def text(self):

@@ -83,6 +83,9 @@ class MeshOptionsBox(QtGui.QWidget):
         grid = QtGui.QGridLayout()
         for place, (kind, box) in enumerate(self.groups.items()):
             box.setObjectName(f"FGMeshGroup{kind}")
+            box.setToolTip(
+                translate("The mesh gets a group of elements for each of these parts of the shape")
+            )
             grid.addWidget(box, place // 2, place % 2)
         form.addRow(translate("Groups"), grid)
 

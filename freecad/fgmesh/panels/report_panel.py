@@ -114,6 +114,7 @@ class ReportPanel:
         self.kind = QtGui.QComboBox()
         self.kind.setObjectName("FGMeshHistogram")
         self.kind.addItems([translate("Variation of composition"), translate("Dihedral angles")])
+        self.kind.setToolTip(translate("What the histogram below counts in the tetrahedra"))
         self.kind.currentIndexChanged.connect(lambda: self._plot())
         layout.addWidget(self.kind)
         layout.addWidget(self._canvas())
@@ -122,12 +123,15 @@ class ReportPanel:
             label.say(line)
             layout.addWidget(label)
         row = QtGui.QHBoxLayout()
-        for title, name, save in (
-            (translate("Save picture ..."), "FGMeshSavePicture", self._ask_picture),
-            (translate("Save table ..."), "FGMeshSaveTable", self._ask_table),
+        picture_tip = translate("Writes the histogram that is shown as a picture")
+        table_tip = translate("Writes the figures of the stages as a table that spreadsheets read")
+        for title, tip, name, save in (
+            (translate("Save picture ..."), picture_tip, "FGMeshSavePicture", self._ask_picture),
+            (translate("Save table ..."), table_tip, "FGMeshSaveTable", self._ask_table),
         ):
             button = QtGui.QPushButton(title)
             button.setObjectName(name)
+            button.setToolTip(tip)
             button.clicked.connect(save)
             row.addWidget(button)
         layout.addLayout(row)
@@ -187,6 +191,9 @@ class ReportPanel:
         form = QtGui.QFormLayout(box)
         self.look = QtGui.QComboBox()
         self.look.setObjectName("FGMeshLook")
+        self.look.setToolTip(
+            translate("What the mesh shows in the 3D view: its composition, or its worst tetrahedra")
+        )
         # Two fractions tell the same.
         self._fractions = [translate("Fraction")] if len(self._titles) == 2 else self._titles
         self.look.addItems(self._fractions)

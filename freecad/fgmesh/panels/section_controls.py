@@ -29,6 +29,7 @@ class SectionControls(QtGui.QWidget):
         self.axis.setToolTip(translate("Cuts it open across this axis"))
         self.place = QtGui.QSlider(QtCore.Qt.Horizontal)
         self.place.setObjectName(f"FGMesh{name}Place")
+        self.place.setToolTip(translate("Shifts the cut along its axis"))
         self.place.setRange(1, _STEPS - 1)
         self.place.setValue(_STEPS // 2)
         self.axis.currentIndexChanged.connect(self._choose_axis)
