@@ -32,6 +32,13 @@ class FGMeshWorkbench(FreeCADGui.Workbench):
         self.appendToolbar("FGMesh", names)
         self.appendMenu("&FGMesh", names)
 
+    def ContextMenu(self, recipient):
+        from freecad.fgmesh.commands.for_selection import commands_for_selection
+
+        names = commands_for_selection()
+        if names:
+            self.appendContextMenu("", names)
+
     def GetClassName(self):
         return "Gui::PythonWorkbench"
 

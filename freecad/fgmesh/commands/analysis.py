@@ -19,4 +19,4 @@ class AnalysisCommand(Command):
         from freecad.fgmesh.panels.analysis_panel import AnalysisPanel
         from freecad.fgmesh.panels.showing import show
 
-        show(AnalysisPanel(meshed(selected_mesh())))
+        show(AnalysisPanel(meshed(selected_mesh())), self.name)

@@ -5,6 +5,7 @@ import FreeCADGui
 from PySide import QtGui
 
 from freecad.fgmesh.view import icon
+from freecad.fgmesh.view.help_pages import page_address
 from freecad.fgmesh.view.texts import translate
 
 
@@ -18,7 +19,7 @@ class Command:
             "Pixmap": icon(self.icon),
             "MenuText": self.text,
             "ToolTip": self.tip,
-            "WhatsThis": self.tip,
+            "WhatsThis": page_address(self.name) or self.tip,
             "Accel": self.shortcut,
         }
 

@@ -19,4 +19,4 @@ class MaterialCommand(Command):
         from freecad.fgmesh.panels.material_panel import MaterialPanel
         from freecad.fgmesh.panels.showing import show
 
-        show(MaterialPanel(selected_solids()))
+        show(MaterialPanel(selected_solids()), self.name)

@@ -21,4 +21,4 @@ class PreviewCommand(Command):
         from freecad.fgmesh.panels.showing import show
 
         if has_or_gets_material(selected_solid()):
-            show(PreviewPanel(selected_solid()))
+            show(PreviewPanel(selected_solid()), self.name)

@@ -19,4 +19,4 @@ class ReportCommand(Command):
         from freecad.fgmesh.panels.report_panel import ReportPanel
         from freecad.fgmesh.panels.showing import show
 
-        show(ReportPanel(meshed(selected_mesh())))
+        show(ReportPanel(meshed(selected_mesh())), self.name)

@@ -20,5 +20,5 @@ def has_or_gets_material(solid):
     if answer == QtGui.QMessageBox.Yes:
         from freecad.fgmesh.panels.material_panel import MaterialPanel
 
-        showing.show(MaterialPanel([solid]))
+        showing.show(MaterialPanel([solid]), "FGMesh_Material")
     return False

@@ -46,7 +46,7 @@ def open_mesh_panel(thing):
     else:
         mesh_object.revive(thing)
         panel = MeshPanel(thing.Shape, thing)
-    showing.show(panel)
+    showing.show(panel, "FGMesh_Mesh")
 
 
 class MeshPanel:
@@ -270,4 +270,4 @@ class MeshPanel:
         mesh = self.mesh
         self.reject()
         # Not at once: FreeCAD is still closing this panel.
-        QtCore.QTimer.singleShot(0, lambda: showing.show(ReportPanel(mesh)))
+        QtCore.QTimer.singleShot(0, lambda: showing.show(ReportPanel(mesh), "FGMesh_Report"))

@@ -4,16 +4,19 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
+from freecad.fgmesh.panels.with_help import WithHelp
+
 
 _selected = []
 """Names of document and object of what was selected when the panel was shown: objects may go meanwhile."""
 
 
-def show(panel):
-    """Shows `panel`, and makes the dock of the task view wide enough for it where it is too narrow."""
+def show(panel, command):
+    """Shows `panel`, with a button that opens the help page of `command`, and makes the dock of the task view wide
+    enough for it where it is too narrow."""
     _selected[:] = [(thing.Document.Name, thing.Name) for thing in FreeCADGui.Selection.getSelection()]
     FreeCADGui.Selection.clearSelection()  # its colour would lie upon those of previews and meshes
-    FreeCADGui.Control.showDialog(panel)
+    FreeCADGui.Control.showDialog(WithHelp(panel, command))
     QtCore.QTimer.singleShot(0, lambda: _widen(panel))
 
 
