@@ -444,6 +444,31 @@ def test_fractions_and_properties_are_fields_of_the_results(analysis, bar, fgmes
         assert found == pytest.approx(exact(x), rel=0.02, abs=0.005)
 
 
+@pytest.mark.usefixtures("ccx")
+@pytest.mark.parametrize("mode", ["bins", "continuous"])
+def test_solving_is_one_undo_step(analysis, bar, fgmesh, mode):
+    def results():
+        kinds = ("Fem::FemResultObject", "Fem::FemPostPipeline", "App::TextDocument")
+        of_fem = [one for one in document.Objects if any(map(one.isDerivedFrom, kinds))]
+        meshes = [one for one in document.Objects if one.Name.startswith("ResultMesh")]
+        return {one.Name for one in of_fem + meshes}
+
+    made, document = analysis(mode=mode), bar.document
+    document.UndoMode = 1
+    others = {one.Name for one in document.Objects}
+    fgmesh.solve(made)
+    steps, first = document.UndoCount, results()
+    assert steps == 1 and len(first) >= 3  # the result, its mesh and its pipeline
+    fgmesh.solve(made)  # which takes the first results away
+    assert document.UndoCount == steps + 1
+    document.undo()
+    assert results() == first
+    document.undo()
+    assert results() == set() and {one.Name for one in document.Objects} == others
+    document.redo()
+    assert results() == first
+
+
 def test_a_mesh_is_in_one_analysis(analysis, bar, fgmesh, core):
     made = analysis()
     with pytest.raises(core.InvalidInput, match="FGMesh is in Analysis already: complete that one"):

@@ -72,6 +72,7 @@ def test_the_continuous_mode_by_mouse_runs_from_the_fem_workbench(drive, meshed_
         meshed_box
         + """
 from windows import wait_for_text
+document.UndoMode = 1
 select(mesh)
 command("FGMesh_Analysis")
 choose("FGMeshMode", "Continuous")
@@ -81,9 +82,14 @@ settle(0.5)
 analysis = next(one for one in document.Objects if one.isDerivedFrom("Fem::FemAnalysis"))
 """
         + PUSHED
-        + """return dict(moved=moved, name=solver.Name)
+        + """
+name, solved = solver.Name, [one.Name for one in document.Objects if "Result" in one.Name]
+document.undo()
+left = [one.Name for one in document.Objects if "Result" in one.Name]
+return dict(moved=moved, name=name, solved=solved, left=left, kept=analysis in document.Objects)
 """
     )
+    assert len(answer["solved"]) == 2 and answer["left"] == [] and answer["kept"]
     assert answer["name"] == "GradedSolver"
     assert -10 / 70000 * 30 < answer["moved"] < -10 / 210000 * 30
 

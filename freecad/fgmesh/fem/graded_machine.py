@@ -10,6 +10,8 @@ from freecad.fgmesh.adapter import fem_module
 from freecad.fgmesh.fem.boundary_conditions import check_constraints, check_held, check_loads
 from freecad.fgmesh.fem.deck_names import check_names
 from freecad.fgmesh.fem.graded_solver import check_analysis, grade_deck
+from freecad.fgmesh.fem.solving import UNDO_NAME
+from freecad.fgmesh.model.transaction import transaction
 
 tasks = fem_module("femsolver.calculix.tasks")
 run = fem_module("femsolver.run")
@@ -22,7 +24,7 @@ def make_machine(solver, directory, testmode):
         check=Check(),
         prepare=Prepare(),
         solve=tasks.Solve(),
-        results=tasks.Results(),
+        results=Results(),
         testmode=testmode,
     )
 
@@ -53,3 +55,11 @@ class Prepare(tasks.Prepare):
         except core.Error as error:
             self.report.error(f"{error}\n")
             self.fail()
+
+
+class Results(tasks.Results):
+    """In one undo step, which FreeCAD's own lack: its results outlast the undo of the analysis that they belong to."""
+
+    def run(self):
+        with transaction(self.analysis.Document, UNDO_NAME):
+            super().run()

@@ -19,8 +19,10 @@ from freecad.fgmesh.fem.graded_material import check_filled, is_graded_material
 from freecad.fgmesh.fem.graded_solver import check_analysis, grade_deck, is_graded_solver
 from freecad.fgmesh.fem.result_fields import add_fields, remove_fields
 from freecad.fgmesh.model import presentation
+from freecad.fgmesh.model.transaction import transaction
 
 POLL_SECONDS = 0.1
+UNDO_NAME = "Solve graded analysis"
 
 
 class SolverFailed(core.Error):
@@ -37,7 +39,7 @@ def solve(analysis, directory=None, control=None):
 
     directory: where deck and results are written; None: where the preferences of the FEM workbench have it. Blocks;
     Esc, or `control`, a core.RunControl in the hands of another thread, stops CalculiX. Returns the list of new result objects. Raises core.InvalidInput where something is missing or out of date;
-    SolverFailed with the words of CalculiX; core.Cancelled, and the results are those of before.
+    SolverFailed with the words of CalculiX; core.Cancelled, and the results are those of before. One undo step.
     """
     solver = _solver(analysis)
     graded = next(filter(is_graded_material, analysis.Group), None)
@@ -48,7 +50,8 @@ def solve(analysis, directory=None, control=None):
     deck = write_deck(analysis, directory)
     # Only now: what is wrong with the analysis is told where there is no CalculiX, too.
     _run(_program(), deck, control or core.RunControl())
-    return _read_results(analysis, solver, deck)
+    with transaction(analysis.Document, UNDO_NAME):
+        return _read_results(analysis, solver, deck)
 
 
 def write_deck(analysis, directory=None):
