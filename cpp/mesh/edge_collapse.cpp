@@ -22,15 +22,21 @@ struct Surroundings {
       const Tet& tet = complex.tet(t);
       for (int i = 0; i < 4; ++i) {
         if (tet.vertex[i] == v) continue;
-        insert(neighbours, tet.vertex[i]);
+        neighbours.push_back(tet.vertex[i]);
         if (!tet.label[i]) continue;
         const int* k = kFaceVertices[i];
         facets.push_back({{tet.vertex[k[0]], tet.vertex[k[1]], tet.vertex[k[2]]}, tet.label[i]});
         for (int w : facets.back().vertex)
-          if (w != v) insert(on_boundary, w);
+          if (w != v) on_boundary.push_back(w);
       }
     }
+    for (std::vector<int>* list : {&neighbours, &on_boundary}) {
+      std::sort(list->begin(), list->end());
+      list->erase(std::unique(list->begin(), list->end()), list->end());
+    }
   }
+  bool is_neighbour(int w) const { return std::binary_search(neighbours.begin(), neighbours.end(), w); }
+  bool is_on_boundary(int w) const { return std::binary_search(on_boundary.begin(), on_boundary.end(), w); }
 
   /// Whether (v, a, b) is a face of the mesh.
   bool has_face(const TetComplex& complex, int a, int b) const {
@@ -39,8 +45,8 @@ struct Surroundings {
   }
 
   std::vector<int> star;              // the tetrahedra at it
-  std::vector<int> neighbours;        // the other ends of its edges
-  std::vector<int> on_boundary;       // of its edges on the boundary or an interface
+  std::vector<int> neighbours;        // the other ends of its edges, ascending
+  std::vector<int> on_boundary;       // of those on the boundary or an interface
   std::vector<LabelledFacet> facets;  // the facets at it; those of an interface twice, seen from either solid
 };
 
@@ -56,9 +62,9 @@ class Collapse {
   bool is_allowed() const {
     const TetComplex& complex = state_.complex;
     const Vertex& vertex = state_.vertices[vertex_];
-    if (vertex.frozen || vertex.is_fixed() || !contains(around_.neighbours, target_)) return false;
+    if (vertex.frozen || vertex.is_fixed() || !around_.is_neighbour(target_)) return false;
     if (complex.is_pinched(vertex_) || complex.is_pinched(target_)) return false;
-    if (vertex.carrier.dimension == 2) return contains(around_.on_boundary, target_);
+    if (vertex.carrier.dimension == 2) return around_.is_on_boundary(target_);
     return vertex.carrier.dimension == 3 || complex.crease(vertex_, target_) != 0;
   }
 
@@ -83,9 +89,9 @@ class Collapse {
       }
     }
     for (int v : around_.neighbours)
-      if (v != target_ && contains(at_target.neighbours, v) && !contains(link, v)) return false;
+      if (v != target_ && at_target.is_neighbour(v) && !contains(link, v)) return false;
     for (int v : around_.on_boundary)
-      if (v != target_ && contains(at_target.on_boundary, v) && !contains(on_facets, v)) return false;
+      if (v != target_ && at_target.is_on_boundary(v) && !contains(on_facets, v)) return false;
     for (int a : link)
       for (int b : link)
         if (a < b && around_.has_face(complex, a, b) && at_target.has_face(complex, a, b) &&
@@ -95,7 +101,7 @@ class Collapse {
             }))
           return false;
     const int beyond = other_end();
-    return beyond < 0 || !contains(at_target.neighbours, beyond);
+    return beyond < 0 || !at_target.is_neighbour(beyond);
   }
 
   /// Makes the new tetrahedra; false where one of them does not score above `least`, or is too small.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/tet_mender.hpp"
 
+#include <algorithm>
+
 #include "mesh/edge_collapse.hpp"
 #include "mesh/edge_split.hpp"
 #include "mesh/odt_smoothing.hpp"
@@ -10,6 +12,9 @@ namespace {
 
 /// A change of the connectivity is worth it where the worst score around it rises by this.
 constexpr double kClearly = 0.01;
+
+/// A vertex of more tetrahedra is not drawn onto another: that takes long, and hardly ever makes them better.
+constexpr std::size_t kLargestStar = 256;
 
 /// Moves the value by `step`, to first order.
 void foretell(MaterialValue& value, const Vec3& step) {
@@ -60,8 +65,11 @@ bool TetMender::improve_vertex(int v) {
   state_.complex.star(v, star_);
   double best = 1.0, length = 0.0;
   int worst_tet = -1, edges = 0;
+  std::vector<std::pair<double, int>> scores;
+  scores.reserve(star_.size());
   for (int t : star_) {
     const double score = score_(t);
+    scores.emplace_back(score, t);
     if (score < best) {
       best = score;
       worst_tet = t;
@@ -82,6 +90,10 @@ bool TetMender::improve_vertex(int v) {
            .normalized();
   const Vec3 gradient = steepest(state_.vertices[v].own.gradient).normalized();
   const Vec3 centre = odt_target(state_, v, star_) - state_.position(v);
+  // The worst first: they tell of most moves that they are none, which matters where a star is large.
+  std::stable_sort(scores.begin(), scores.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::transform(scores.begin(), scores.end(), star_.begin(), [](const auto& entry) { return entry.second; });
 
   bool improved = false;
   for (double step = 0.3 * length; step > 0.02 * length; step *= 0.5) {
@@ -114,6 +126,7 @@ bool TetMender::collapse(int t) {
   const std::array<int, 4> vertices = state_.complex.tet(t).vertex;
   for (int v : vertices) {
     state_.complex.star(v, star_);
+    if (star_.size() > kLargestStar) continue;
     double least = 1.0;
     for (int at : star_) least = std::min(least, score_(at));
     for (int w : vertices)
