@@ -19,6 +19,11 @@ class Desktop(QtCore.QObject):
 opened, asked = [], []
 desktop = Desktop()
 QDesktopServices.setUrlHandler("file", desktop, "open")
+try:
+    import Help  # FreeCAD 1.x has the add-on, which may open the page in several ways
+    Help.show = lambda page, *_: opened.append(QtCore.QUrl(page).toLocalFile())
+except ImportError:
+    pass
 
 def dismiss():
     for box in QtGui.QApplication.topLevelWidgets():
