@@ -111,11 +111,18 @@ def read_card(path):
         import Materials  # FreeCAD 1.x
     except ImportError:
         return dict(_module_in("importFCMat", "Mod/Material").read(path))
-    stem = Path(path).stem
     for material in Materials.MaterialManager().Materials.values():
-        if material.Name in (stem, stem.replace("-", " ")):
+        if _is_of_card(material, Path(path)):
             return {name: str(value) for name, value in material.Properties.items()}
     return {}
+
+
+def _is_of_card(material, path):
+    """FreeCAD 1.0 tells the card's path in its library, 1.1 only its folder there."""
+    if Path(material.Directory).suffix:
+        return f"/{path.as_posix()}".endswith(f"/{material.Directory}")
+    names = (path.stem, path.stem.replace("-", " "))
+    return material.Name in names and path.parent.as_posix().endswith(material.Directory)
 
 
 def flag_number(flags):

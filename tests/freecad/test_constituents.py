@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Solids of more than two constituents in documents."""
+"""Solids of more than two constituents in documents, and the cards that constituents may be."""
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -81,3 +83,22 @@ def test_a_grading_for_the_second_constituent_has_parameters_of_its_own(box):
     formula, parameters = gradings.numbered(linear.formula, given, 2)
     assert formula == "clamp((z - start2)/length2, 0, 1)"
     assert parameters == {"start2": 1.0, "length2": 2.0}
+
+
+def test_each_card_that_is_offered_is_the_one_that_is_read(document):
+    """By the density that its file tells, whatever the name inside; cards for drawing only have none."""
+    from freecad.fgmesh.model import constituents
+
+    paths = constituents.card_paths()
+    assert len(paths) > 50
+    compared = 0
+    for name, path in paths.items():
+        card = constituents.properties(name, document)
+        assert card, path
+        density = [line for line in Path(path).read_text("utf-8").splitlines() if "Density" in line]
+        if density and card.get("Density"):
+            told = density[0].replace("=", ":").split(":", 1)[1].strip().strip("\"'")
+            unit = constituents.UNITS["Density"]
+            assert constituents.number_in(card["Density"], unit) == constituents.number_in(told, unit), path
+            compared += 1
+    assert compared > 20
