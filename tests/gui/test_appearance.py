@@ -129,7 +129,15 @@ return dict(drawn=drawn)
 """
     )
     drawn = {name: np.array(pixels, int) for name, pixels in answer["drawn"].items()}
-    assert {"preferences-fgmesh", "material", "preview", "mesh", "mesh-outdated", "report", "examples"} <= set(drawn)
+    assert {
+        "preferences-fgmesh",
+        "material",
+        "preview",
+        "mesh",
+        "mesh-outdated",
+        "report",
+        "examples",
+    } <= set(drawn)
     for name, pixels in drawn.items():
         painted = (np.abs(pixels - 240).max(axis=2) > 40).mean()
         assert 0.2 < painted < 0.95, name
