@@ -73,15 +73,16 @@ class Bridging {
     const Carrier& apex = mesh_.vertices[v[2]].carrier;
     const int edge = mesh_.crease(v[0], v[1]);
     if (apex.dimension == 1 && apex.number == edge) return false;
-    if (!edge) return apex.dimension < 2 && turn(v);
+    if (!edge) return apex.dimension < 2 && exchange_longest(v);
     if (is_wall(v[2], {v[0], v[1]})) return false;
     const int foot = mesh_.split(v[0], v[1], mesh_.position(v[2]));
     // A vertex inside a face goes onto an edge of the shape: merge() lets none leave its edge.
     return foot >= 0 && (merge(foot, v[2]) || merge(v[2], foot));
   }
 
-  /// Exchanges the longest edge, inside a narrow face, for one across it. Each makes edges shorter.
-  bool turn(const std::array<int, 3>& v) {
+  /// Exchanges the edge from v[0] to v[1], the longest, inside a narrow face, for one across it. Each makes
+  /// edges shorter, so that this ends.
+  bool exchange_longest(const std::array<int, 3>& v) {
     std::vector<int> around;
     mesh_.at_edge(v[0], v[1], around);
     for (int t : around)
@@ -165,7 +166,7 @@ class Bridging {
     std::vector<Vec3> normals;
     for (int face : faces) {
       const auto [known, is_new] = normals_.try_emplace({v, face});
-      // Slow to ask in sharp corners.
+      // Asked once, since OpenCASCADE is slow to tell in sharp corners.
       if (is_new) known->second = mesh_.state().boundary().project_to_face(face, mesh_.position(v)).normal;
       normals.push_back(known->second);
     }

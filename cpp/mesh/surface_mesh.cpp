@@ -304,10 +304,13 @@ std::array<SurfaceTriangle, 2> SurfaceMesh::exchanged(int a, int b, const Quadri
 bool SurfaceMesh::exchange(int a, int b) {
   const std::optional<Quadrilateral> quad = quadrilateral(a, b);
   if (!quad) return false;
-  const std::array<SurfaceTriangle, 2> made = exchanged(a, b, *quad);
-  for (int t : quad->triangles) remove(t);
-  for (const SurfaceTriangle& triangle : made) add(triangle);
+  replace(*quad, exchanged(a, b, *quad));
   return true;
+}
+
+void SurfaceMesh::replace(const Quadrilateral& quad, const std::array<SurfaceTriangle, 2>& made) {
+  for (int t : quad.triangles) remove(t);
+  for (const SurfaceTriangle& triangle : made) add(triangle);
 }
 
 bool SurfaceMesh::flip(int a, int b, double chord) {
@@ -333,9 +336,11 @@ bool SurfaceMesh::flip(int a, int b, double chord) {
     allowed =
         std::max(allowed, kFartherThanOld * std::max({error(a, c), error(c, b), error(b, d), error(d, a)}));
   if (error(c, d) > allowed) return false;
-  for (const SurfaceTriangle& made : exchanged(a, b, *quad))
-    if (!faces_out(made.vertex, first.face, 1e-4)) return false;
-  return exchange(a, b);
+  const std::array<SurfaceTriangle, 2> made = exchanged(a, b, *quad);
+  for (const SurfaceTriangle& triangle : made)
+    if (!faces_out(triangle.vertex, first.face, 1e-4)) return false;
+  replace(*quad, made);
+  return true;
 }
 
 }  // namespace fgmesh

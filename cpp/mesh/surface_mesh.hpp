@@ -97,6 +97,7 @@ class SurfaceMesh {
   std::optional<Quadrilateral> quadrilateral(int a, int b) const;
   /// The triangles that the other diagonal makes.
   std::array<SurfaceTriangle, 2> exchanged(int a, int b, const Quadrilateral& quad) const;
+  void replace(const Quadrilateral& quad, const std::array<SurfaceTriangle, 2>& made);
   /// What surrounds two neighbours that are to become one.
   struct Neighbours {
     std::vector<int> own;   ///< neighbours of the first, ascending

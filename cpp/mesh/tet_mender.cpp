@@ -63,26 +63,24 @@ bool TetMender::is_promising(int v, const Vec3& way, double best) const {
 bool TetMender::improve_vertex(int v) {
   if (state_.vertices[v].frozen || state_.vertices[v].is_fixed()) return false;
   state_.complex.star(v, star_);
-  double best = 1.0, length = 0.0;
-  int worst_tet = -1, edges = 0;
+  double length = 0.0;
+  int edges = 0;
   std::vector<std::pair<double, int>> scores;
   scores.reserve(star_.size());
   for (int t : star_) {
-    const double score = score_(t);
-    scores.emplace_back(score, t);
-    if (score < best) {
-      best = score;
-      worst_tet = t;
-    }
+    scores.emplace_back(score_(t), t);
     for (int w : state_.complex.tet(t).vertex) {
       length += (state_.position(w) - state_.position(v)).norm();
       edges += w != v;
     }
   }
-  if (worst_tet < 0) return false;
+  std::stable_sort(scores.begin(), scores.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  double best = scores.front().first;
+  if (best >= 1.0) return false;
   length /= edges;
 
-  const Tet& worst = state_.complex.tet(worst_tet);
+  const Tet& worst = state_.complex.tet(scores.front().second);
   const int* base = kFaceVertices[worst.index_of(v)];
   const Vec3 away =
       -area_vector(state_.position(worst.vertex[base[0]]), state_.position(worst.vertex[base[1]]),
@@ -90,9 +88,7 @@ bool TetMender::improve_vertex(int v) {
            .normalized();
   const Vec3 gradient = steepest(state_.vertices[v].own.gradient).normalized();
   const Vec3 centre = odt_target(state_, v, star_) - state_.position(v);
-  // The worst first: they tell of most moves that they are none, which matters where a star is large.
-  std::stable_sort(scores.begin(), scores.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  // The worst first: these tell of most moves that they are none, and the others need not be asked.
   std::transform(scores.begin(), scores.end(), star_.begin(), [](const auto& entry) { return entry.second; });
 
   bool improved = false;

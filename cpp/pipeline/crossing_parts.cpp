@@ -10,7 +10,7 @@
 
 namespace fgmesh {
 
-void refuse(const std::string& fault, const BrepModel& model, RunControl& control) {
+void refuse_with_cause(const std::string& fault, const BrepModel& model, RunControl& control) {
   constexpr std::size_t kMostPairs = 3;
   std::vector<std::array<Carrier, 2>> crossing;
   try {

@@ -10,6 +10,6 @@ namespace fgmesh {
 
 /// Throws GeometryError for a shape that could not be meshed. Where OpenCASCADE finds that parts of the shape
 /// cross or touch each other, these are named as the cause, with `fault` behind; else `fault` is all.
-[[noreturn]] void refuse(const std::string& fault, const BrepModel& model, RunControl& control);
+[[noreturn]] void refuse_with_cause(const std::string& fault, const BrepModel& model, RunControl& control);
 
 }  // namespace fgmesh

@@ -144,7 +144,7 @@ void finish(MeshingResult& result, const BrepModel& model, const SampledBoundary
             const MeshingOptions& options, RunControl& control) {
   const auto name = [&](const Carrier& part) { return given_name(part, model.origins()); };
   if (const std::string lost = find_difference(result.mesh, samples, bridged, name); !lost.empty())
-    refuse("the mesh is not the shape: " + lost + "; lower MaxSize", model, control);
+    refuse_with_cause("the mesh is not the shape: " + lost + "; lower MaxSize", model, control);
   if (const std::string told = describe_bridged(result.mesh, bridged, options, name); !told.empty())
     result.messages.push_back(told);
   result.dihedral_min = smallest_dihedrals(result.mesh);
@@ -217,13 +217,8 @@ MeshingResult run(const std::string& shape, const std::vector<const CompositionF
   MeshingResult result;
   result.messages = model.notes();
   std::vector<Carrier> bridged;
-  NodeFractions fractions = run_stage("initial", state, result, control, [&] {
-    try {
-      bridged = make_initial_mesh(start, options.max_size, control);
-    } catch (const GeometryError& error) {
-      refuse(error.what(), model, control);
-    }
-  });
+  NodeFractions fractions = run_stage("initial", state, result, control,
+                                      [&] { bridged = make_initial_mesh(start, options.max_size, control); });
   QualityGoal goal = quality_goal(options.anisotropy);
   goal.between = options.certify;
   if (asked.max_size > 0.0) goal.longest_edge = asked.max_size;

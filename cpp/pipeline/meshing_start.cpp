@@ -48,11 +48,13 @@ SolidMaterials materials_of(const std::vector<const CompositionField*>& given, c
   return SolidMaterials(fields, samples);
 }
 
-SampledBoundary sampled(BrepModel& model, RunControl& control) {
+/// What `action` returns; where it cannot be done, with the parts of the shape that are at fault.
+template <class Action>
+auto with_cause(const BrepModel& model, RunControl& control, const Action& action) {
   try {
-    return model.sample({}, control);
+    return action();
   } catch (const GeometryError& error) {
-    refuse(error.what(), model, control);
+    refuse_with_cause(error.what(), model, control);
   }
 }
 
@@ -61,7 +63,7 @@ SampledBoundary sampled(BrepModel& model, RunControl& control) {
 MeshingStart::MeshingStart(const std::string& shape, const std::vector<const CompositionField*>& materials,
                            const MeshingOptions& asked, RunControl& control)
     : model(read(shape, asked, control)),
-      samples(sampled(model, control)),
+      samples(with_cause(model, control, [&] { return model.sample({}, control); })),
       options(resolved(asked, samples.bounds.diagonal())),
       default_max_size(kMaxSize * samples.bounds.diagonal()),
       state(model, materials_of(materials, model, samples), options.material_threshold,
@@ -83,8 +85,10 @@ std::vector<Carrier> make_initial_mesh(MeshingStart& start, double size, RunCont
   start.state.chord_limit = initial_deviation(size);
   const MeshingOptions& options = start.options;
   const double narrowest = 0.9 * std::min(options.min_size, options.surface_deviation);
-  std::vector<Carrier> bridged = make_initial_mesh(
-      start.state, start.samples, {size, start.state.chord_limit, options.min_size, narrowest}, control);
+  std::vector<Carrier> bridged = with_cause(start.model, control, [&] {
+    return make_initial_mesh(start.state, start.samples,
+                             {size, start.state.chord_limit, options.min_size, narrowest}, control);
+  });
   start.state.min_size = options.min_size;
   return bridged;
 }

@@ -41,7 +41,7 @@ class Bench:
         for name, value in values.items():
             if isinstance(value, bool):
                 setattr(constraint, name, value)
-            else:  # a text with its unit
+            else:
                 adapter.set_quantity(constraint, name, value)
         self.constraints.append(constraint)
         return constraint

@@ -25,7 +25,8 @@ def filled(points, segments, normal, limit):
     except QhullError:  # a loop without an area
         return points, np.empty((0, 3), np.int64)
     a, b, c = flat[triangles].transpose(1, 0, 2)
-    clockwise = np.linalg.det(np.stack([b - a, c - a], axis=1)) < 0
+    (u, v), (s, t) = (b - a).T, (c - a).T
+    clockwise = u * t < v * s
     triangles[clockwise] = triangles[clockwise][:, ::-1]
     triangles = with_edges(flat, triangles, segments)
     has_all = np.isin(
